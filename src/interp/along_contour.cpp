@@ -30,7 +30,7 @@ std::optional<geom::Edge> way_of(const cl::Step& step, geom::Vec3 from, geom::Ve
 
 }  // namespace
 
-void emit_along(Run& run, std::vector<cl::Step>& steps, const ContourElements& elements, geom::Vec3 from) {
+void emit_along(Telling& run, std::vector<cl::Step>& steps, const ContourElements& elements, geom::Vec3 from) {
     std::vector<geom::Edge> edges;
     edges.reserve(elements.size());
     for (const ContourElement& e : elements) edges.push_back(e.edge);

@@ -19,7 +19,7 @@ namespace codes = base::codes;
 using geom::Vec2;
 using geom::Vec3;
 
-path::ArcTolerance arc_tolerance(const Run& run) {
+path::ArcTolerance arc_tolerance(const Reckoning& run) {
     const program::Traits& t = *run.traits;
     const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
     return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
@@ -31,7 +31,7 @@ constexpr Code centre_words[3] = {Code::i, Code::j, Code::k};
 constexpr Code via_words[3] = {Code::i1, Code::j1, Code::k1};
 
 /// Centre in the plane: incremental from the start (a radius in a lathe's X), or I=AC(…) in workpiece coordinates.
-Vec2 centre_of(const Run& run, const PlaneAxes& a) {
+Vec2 centre_of(const Moving& run, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
     const auto along = [&](int k) {
@@ -46,7 +46,7 @@ Vec2 centre_of(const Run& run, const PlaneAxes& a) {
 }
 
 /// A centre along the axis across the plane in force: it was meant for another plane.
-bool says_centre_across(Run& run) {
+bool says_centre_across(Moving& run) {
     const int across = plane_axes(run.modal.plane).w;
     if (!run.block.has(centre_words[across]) || run.block.peek(centre_words[across]) == 0) return false;
     constexpr std::array letters{"I", "J", "K"};
@@ -61,7 +61,7 @@ bool says_centre_across(Run& run) {
 
 }  // namespace
 
-void arc_alarm(Run& run, const path::ArcResult& r) {
+void arc_alarm(Moving& run, const path::ArcResult& r) {
     const bool by_centre = r.failure == path::ArcFailure::radius_mismatch || r.failure == path::ArcFailure::no_radius;
     if (by_centre && says_centre_across(run)) return;
     std::string text;
@@ -91,7 +91,7 @@ namespace {
 constexpr int most_turns = 1000;  ///< of an angle about the pole; HEIDENHAIN takes up to 99999.9999 degrees
 
 /// C and CP: about the pole, to a point or through an angle.
-path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense, const PlaneAxes& a) {
+path::ArcResult about_pole(const Moving& run, Vec2 from, Vec2 to, path::Sense sense, const PlaneAxes& a) {
     const BlockWords& b = run.block;
     b.use(Code::centre_at_pole);
     const Vec2 centre = in_plane(run.modal.pole, a);
@@ -104,7 +104,7 @@ path::ArcResult about_pole(const Run& run, Vec2 from, Vec2 to, path::Sense sense
 
 /// Full turns beyond the arc to its end: TURN=, or P - 1 where the control counts the arc itself
 /// (Traits::arc_turns_in_p).
-std::optional<int> turns_of(Run& run) {
+std::optional<int> turns_of(Moving& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::turns)) {
         if (const auto n = base::whole<int>(b.get(Code::turns), 0, 999)) return n;
@@ -122,7 +122,7 @@ std::optional<int> turns_of(Run& run) {
 
 /// "If I, J, K, and R addresses are specified simultaneously, the arc specified by address R takes precedence and the
 /// other are ignored" (FANUC operator's manual, circular interpolation) [-].
-void pass_over_centre(Run& run) {
+void pass_over_centre(Moving& run) {
     for (const Code c : centre_words)
         if (run.block.has(c)) run.block.use(c);
     assume(run, run.here(), "an arc with R and a centre is run by its R: the control passes over I, J and K",
@@ -130,14 +130,14 @@ void pass_over_centre(Run& run) {
 }
 
 /// What is missing may be the word of another motion.
-std::string remedy_of_circle(const Run& run) {
+std::string remedy_of_circle(const Moving& run) {
     const bool written = (run.block.groups >> static_cast<unsigned>(program::ModalGroup::motion) & 1u) != 0;
     return written ? "" : "the circle is in force from a block before: write G0 or G1 for a straight line";
 }
 
 /// Full turns of a helix beyond the arc to its end, from how far it rises in one (Traits::helix_lead_across); nothing
 /// where the arc does not come out at its end.
-std::optional<int> turns_by_lead(Run& run, const path::ArcResult& arc, double rise, const PlaneAxes& a) {
+std::optional<int> turns_by_lead(Moving& run, const path::ArcResult& arc, double rise, const PlaneAxes& a) {
     const Code code = centre_words[a.w];
     if (!run.traits->helix_lead_across || !run.block.has(code) || !arc.ok()) return 0;
     constexpr double slack = 0.01;  // turns: leads are rounded to the word's resolution
@@ -153,7 +153,7 @@ std::optional<int> turns_by_lead(Run& run, const path::ArcResult& arc, double ri
 }
 
 /// About the centre of I, J, K.
-path::ArcResult arc_about_words(Run& run, Vec2 from, Vec2 to, path::Sense sense, int turns, const PlaneAxes& a,
+path::ArcResult arc_about_words(Moving& run, Vec2 from, Vec2 to, path::Sense sense, int turns, const PlaneAxes& a,
                                 double rise) {
     const Vec2 centre = centre_of(run, a);
     const path::ArcResult arc = path::arc_by_centre(from, to, centre, sense, turns, arc_tolerance(run));
@@ -162,7 +162,7 @@ path::ArcResult arc_about_words(Run& run, Vec2 from, Vec2 to, path::Sense sense,
     return *more == 0 ? arc : path::arc_by_centre(from, to, centre, sense, *more, arc_tolerance(run));
 }
 
-path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a, double rise) {
+path::ArcResult planar_arc(Moving& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a, double rise) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
@@ -203,14 +203,14 @@ path::ArcResult planar_arc(Run& run, Vec2 from, Vec2 to, bool end_given, const P
     return none;
 }
 
-bool has_unknown_circle_word(const Run& run) {
+bool has_unknown_circle_word(const Moving& run) {
     for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
                          Code::turns, Code::pole_angle})
         if (run.block.has(c) && std::isnan(run.block.peek(c))) return true;
     return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.peek(Code::p));
 }
 
-bool tilted_arc(Run& run, const Vec3& to) {
+bool tilted_arc(Moving& run, const Vec3& to) {
     Vec3 via = run.programmed_position;
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(via_words[k])) continue;
@@ -242,7 +242,7 @@ bool tilted_arc(Run& run, const Vec3& to) {
 }
 
 /// Traits::line_without_centre.
-bool runs_straight(Run& run) {
+bool runs_straight(Moving& run) {
     const std::string_view setting = run.traits->line_without_centre;
     if (setting.empty() || (run.modal.motion != Modal::arc_cw && run.modal.motion != Modal::arc_ccw)) return false;
     for (const Code c : {Code::i, Code::j, Code::k, Code::radius, Code::opening_angle, Code::polar_angle,
@@ -264,7 +264,7 @@ bool runs_straight(Run& run) {
 }
 
 /// Traits::radius_to_start_stays: only a coordinate along the tool's axis is left of it.
-bool stays(Run& run, const path::ArcResult& arc) {
+bool stays(Moving& run, const path::ArcResult& arc) {
     if (!run.traits->radius_to_start_stays || arc.failure != path::ArcFailure::points_coincide ||
         !run.block.has(Code::radius))
         return false;
@@ -275,7 +275,7 @@ bool stays(Run& run, const path::ArcResult& arc) {
 
 /// A control that moves the centre takes an end beside the circle within a part of its radius. Where the end lies
 /// nearly in line with centre and start no centre fits, and what path it runs is not known.
-bool no_centre_fits(Run& run, const path::ArcResult& arc, Vec2 from, const path::ArcTolerance& t) {
+bool no_centre_fits(Saying& run, const path::ArcResult& arc, Vec2 from, const path::ArcTolerance& t) {
     const double gap = std::abs(geom::distance(from, arc.centre) - geom::distance(arc.to, arc.centre));
     if (t.keep_centre || gap <= cl::circle_tolerance) return false;
     unchecked(run, codes::arc_radius, run.here(),
@@ -288,7 +288,7 @@ bool no_centre_fits(Run& run, const path::ArcResult& arc, Vec2 from, const path:
 
 }  // namespace
 
-bool arc_motion(Run& run, const Vec3& target) {
+bool arc_motion(Moving& run, const Vec3& target) {
     if (runs_straight(run)) return straight_motion(run, target, false), true;
     if (!geom::is_finite(run.programmed_position) || !geom::is_finite(target)) {
         const PlaneAxes a = plane_axes(run.modal.plane);

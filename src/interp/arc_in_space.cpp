@@ -19,7 +19,7 @@ namespace {
 constexpr double upright = 1e-9;  ///< of a cosine: the arc lies in the working plane
 
 /// The words of a vector; NaN where one is missing.
-Vec3 vector_of(Run& run, const std::array<Code, 3>& words) {
+Vec3 vector_of(Moving& run, const std::array<Code, 3>& words) {
     Vec3 v{NAN, NAN, NAN};
     for (int k = 0; k < 3; ++k)
         if (run.block.has(words[static_cast<std::size_t>(k)]))
@@ -48,7 +48,7 @@ void face_upwards(cl::Arc& arc) {
     arc.sweep = -arc.sweep;
 }
 
-bool straight_instead(Run& run, const Vec3& to, const char* why) {
+bool straight_instead(Moving& run, const Vec3& to, const char* why) {
     unchecked(run, codes::unknown_value, run.here(), std::string(why) + ": it is run as a straight move",
               "move to a known place in all three axes before");
     straight_motion(run, to, false);
@@ -57,7 +57,7 @@ bool straight_instead(Run& run, const Vec3& to, const char* why) {
 
 }  // namespace
 
-void run_arc_in_space(Run& run, const cl::Arc& arc) {
+void run_arc_in_space(Moving& run, const cl::Arc& arc) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     Vec3 normal;
     coordinate(normal, a.w) = 1;
@@ -85,7 +85,7 @@ void run_arc_in_space(Run& run, const cl::Arc& arc) {
                       (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep, false});
 }
 
-bool arc_about_axis(Run& run, const Vec3& to) {
+bool arc_about_axis(Moving& run, const Vec3& to) {
     const Vec3 from = run.programmed_position;
     const Vec3 centre = length_unit(run.modal) * vector_of(run, centre_words_of_axis);
     const Vec3 axis = vector_of(run, direction_words);
@@ -111,7 +111,7 @@ bool arc_about_axis(Run& run, const Vec3& to) {
     return true;
 }
 
-void aim_tool(Run& run) {
+void aim_tool(Moving& run) {
     const Vec3 axis = vector_of(run, direction_words);
     if (!(geom::length(axis) > 0))
         return alarm(run, codes::value_range, run.here(), "the axis of the tool has no direction");

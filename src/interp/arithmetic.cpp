@@ -14,23 +14,23 @@ namespace codes = base::codes;
 
 namespace {
 
-base::Span span_of(const Run& run, const Expr& e) { return {run.unit().file, e.begin, e.end}; }
+base::Span span_of(const Saying& run, const Expr& e) { return {run.unit().file, e.begin, e.end}; }
 
-double divided(Run& run, const Expr& e, double a, double b) {
+double divided(Saying& run, const Expr& e, double a, double b) {
     if (b != 0) return a / b;
     alarm(run, codes::arithmetic, span_of(run, e), "division by zero",
           "guard the block with IF or correct the divisor");
     return 0;
 }
 
-bool nearly_equal(const Run& run, double a, double b) {
+bool nearly_equal(const Saying& run, double a, double b) {
     if (a == b) return true;
     const program::Equality& e = run.unit().traits->equality;
     return std::abs(a - b) <= std::max(e.relative * std::max(std::abs(a), std::abs(b)), e.absolute);
 }
 
 /// As `nearly_equal`, where less and greater ask for it.
-bool counts_as_equal(const Run& run, double a, double b) {
+bool counts_as_equal(const Saying& run, double a, double b) {
     return run.unit().traits->equality.orders_exactly ? a == b : nearly_equal(run, a, b);
 }
 
@@ -38,7 +38,7 @@ std::int32_t bits(double v) {
     return static_cast<std::int32_t>(base::cut<std::int64_t>(std::fmod(v, 4294967296.0)).value_or(0));
 }
 
-double checked(Run& run, const Expr& e, double v) {
+double checked(Saying& run, const Expr& e, double v) {
     if (std::isnan(v) || std::abs(v) <= 1e300) return v;  // unknown operands give an unknown result
     alarm(run, codes::arithmetic, span_of(run, e), "the result is too large for the control");
     return 0;
@@ -58,7 +58,7 @@ double with_unknown(Operator op, double a, double b) {
 
 }  // namespace
 
-double binary_number(Run& run, const Expr& e, double a, double b) {
+double binary_number(Saying& run, const Expr& e, double a, double b) {
     if (std::isnan(a) || std::isnan(b)) return with_unknown(static_cast<Operator>(e.op), a, b);
     switch (static_cast<Operator>(e.op)) {
         case Operator::add: return checked(run, e, a + b);
@@ -115,7 +115,7 @@ Value as_string(const Value& v) { return Value::string(printed(v)); }
 
 }  // namespace
 
-Value binary_value(Run& run, const Expr& e, const Value& a, const Value& b) {
+Value binary_value(Saying& run, const Expr& e, const Value& a, const Value& b) {
     const auto op = static_cast<Operator>(e.op);
     if (op == Operator::concat)
         return a.is_unknown() || b.is_unknown() ? Value::unknown_text(printed(a) + printed(b))

@@ -14,12 +14,12 @@ using program::Expr;
 using program::ExprKind;
 namespace codes = base::codes;
 
-const Binding* find_variable(const Run& run, program::NameId name) {
+const Binding* find_variable(const Saying& run, program::NameId name) {
     if (const Binding* b = run.calls.back().locals.find(name)) return b;
     return run.globals.find(name);
 }
 
-bool element_of(Run& run, const Expr& e, const Array& a, std::size_t& index) {
+bool element_of(Reckoning& run, const Expr& e, const Array& a, std::size_t& index) {
     if (e.count == 0 && a.rank == 0) {
         index = 0;
         return true;
@@ -54,7 +54,7 @@ struct CharacterPlace {
 };
 
 /// Nothing where the text is shorter (alarm) or an index is unknown.
-std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const Expr& e) {
+std::optional<CharacterPlace> character_place(Reckoning& run, const Binding& b, const Expr& e) {
     Expr element = e;
     --element.count;
     CharacterPlace place{b.offset, 0};
@@ -76,7 +76,7 @@ std::optional<CharacterPlace> character_place(Run& run, const Binding& b, const 
 
 }  // namespace
 
-Value read_character(Run& run, const Binding& b, const Expr& e) {
+Value read_character(Reckoning& run, const Binding& b, const Expr& e) {
     const auto place = character_place(run, b, e);
     if (!place) return Value::unknown();
     const char c = b.array->get(place->element).as_text()[place->character];
@@ -87,7 +87,7 @@ std::size_t undefined_part(double index) {
     return std::isnan(index) ? 65535 : base::clipped<std::size_t>(index, 0, 65535);
 }
 
-std::size_t undefined_key(Run& run, const Expr& e) {
+std::size_t undefined_key(Reckoning& run, const Expr& e) {
     std::size_t key = 0;
     for (std::size_t k = 0; k < e.count; ++k) {
         const Value v = evaluate(run, run.unit().children[e.b + k]);
@@ -104,7 +104,7 @@ bool is_constant(const Unit& unit, ExprId id) {
 
 namespace {
 
-void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span& where) {
+void complain(Saying& run, Conversion c, const Value& v, Type to, const base::Span& where) {
     const std::string target(name(to));
     if (c == Conversion::wrong_type)
         alarm(run, codes::type_mismatch, where,
@@ -115,7 +115,7 @@ void complain(Run& run, Conversion c, const Value& v, Type to, const base::Span&
 
 }  // namespace
 
-void assign_number(Run& run, std::uint32_t n, ExprId value, double v, const base::Span& where) {
+void assign_number(Reckoning& run, std::uint32_t n, ExprId value, double v, const base::Span& where) {
     if (run.parameter_overridden[n] == 0 || !is_constant(run.unit(), value)) {
         run.parameters.set(n, v);
         return;
@@ -127,7 +127,7 @@ void assign_number(Run& run, std::uint32_t n, ExprId value, double v, const base
     run.parameters.set(n, run.parameter_override[n]);
 }
 
-void store(Run& run, Array& array, std::size_t index, Value v, const base::Span& where) {
+void store(Saying& run, Array& array, std::size_t index, Value v, const base::Span& where) {
     const Type given = v.type;
     const Conversion c = convert(v, array.type, array.string_length);
     if (c != Conversion::ok) {
@@ -141,7 +141,7 @@ void store(Run& run, Array& array, std::size_t index, Value v, const base::Span&
 namespace {
 
 /// A text parameter (QS5) exists from its first use on, for all programs.
-const Binding* text_parameter(Run& run, program::NameId name) {
+const Binding* text_parameter(Saying& run, program::NameId name) {
     const std::string_view letters = run.unit().traits->text_letters;
     const std::string& text = run.env.names.text(name);
     if (letters.empty() || !text.starts_with(letters) || text.size() == letters.size()) return nullptr;
@@ -154,7 +154,7 @@ const Binding* text_parameter(Run& run, program::NameId name) {
 }
 
 /// SET(a,b,…) and REP(v) on an array, from the addressed element on.
-void store_list(Run& run, Array& array, std::size_t first, const Expr& list) {
+void store_list(Reckoning& run, Array& array, std::size_t first, const Expr& list) {
     const Unit& unit = run.unit();
     const bool repeat = static_cast<program::Function>(list.op) == program::Function::repeat_list;
     const std::size_t n = repeat ? array.size() - first : std::min<std::size_t>(list.count, array.size() - first);
@@ -170,7 +170,7 @@ bool is_list(const Expr& e) {
 }
 
 /// Number of a parameter that can be written; nothing after a complaint.
-std::optional<std::uint32_t> writable(Run& run, double index, const program::Assign& a) {
+std::optional<std::uint32_t> writable(Reckoning& run, double index, const program::Assign& a) {
     if (std::isnan(index)) {
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "which parameter this is depends on a value that is not known");
@@ -187,7 +187,7 @@ std::optional<std::uint32_t> writable(Run& run, double index, const program::Ass
     return n;
 }
 
-void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
+void assign_parameter(Telling& run, const Expr& target, const program::Assign& a) {
     const double index = target.kind == ExprKind::parameter ? target.a : number(run, target.a);
     if (run.stopped) return;
     const auto n = writable(run, index, a);
@@ -203,7 +203,7 @@ void assign_parameter(Run& run, const Expr& target, const program::Assign& a) {
 }
 
 /// A variable that begins to exist by being assigned: `_NAME` for all programs, another name for this one.
-void create(Run& run, program::NameId name, double value) {
+void create(Saying& run, program::NameId name, double value) {
     const Binding* b = run.calls.empty() ? run.globals.find(name) : find_variable(run, name);
     if (b != nullptr) return b->array->set(b->offset, Value::real(value));
     auto array = std::make_shared<Array>();
@@ -213,7 +213,7 @@ void create(Run& run, program::NameId name, double value) {
     (global ? run.globals : run.top().locals).bind({name, std::move(array), 0, false, nullptr});
 }
 
-void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
+void write_character(Reckoning& run, const Binding& b, const Expr& e, ExprId value) {
     const std::shared_ptr<Array> array = b.array;
     const auto place = character_place(run, b, e);
     Value v = evaluate(run, value);
@@ -230,7 +230,7 @@ void write_character(Run& run, const Binding& b, const Expr& e, ExprId value) {
 }
 
 /// F_1[X,TR]=, or of an array F_1[3,X,TR]=.
-void write_frame_variable(Run& run, const Binding& b, const Expr& target, ExprId value) {
+void write_frame_variable(Reckoning& run, const Binding& b, const Expr& target, ExprId value) {
     Expr whole = target;
     whole.count = static_cast<std::uint16_t>(target.count - 2);
     const std::shared_ptr<Array> array = b.array;
@@ -242,7 +242,7 @@ void write_frame_variable(Run& run, const Binding& b, const Expr& target, ExprId
     if (!run.stopped && !array->get(index).is_unknown()) array->set(index, Value::of_frame(frame));
 }
 
-void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
+void assign_variable(Reckoning& run, const Expr& target, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& value = unit.exprs[a.value];
     const Binding* b = find_variable(run, target.a);
@@ -288,9 +288,9 @@ void assign_variable(Run& run, const Expr& target, const program::Assign& a) {
 
 }  // namespace
 
-void create_variable(Run& run, program::NameId name, double value) { create(run, name, value); }
+void create_variable(Saying& run, program::NameId name, double value) { create(run, name, value); }
 
-void assign_value(Run& run, const program::Assign& a, double index, double value) {
+void assign_value(Reckoning& run, const program::Assign& a, double index, double value) {
     const Expr& target = run.unit().exprs[a.target];
     if (target.kind == ExprKind::variable) return create(run, target.a, value);
     if (target.kind != ExprKind::parameter && target.kind != ExprKind::parameter_at)
@@ -303,14 +303,14 @@ void assign_value(Run& run, const program::Assign& a, double index, double value
     assign_number(run, *n, a.value, value, run.unit().span(a.target));
 }
 
-void assign_text(Run& run, ExprId target, const std::string& text) {
+void assign_text(Saying& run, ExprId target, const std::string& text) {
     const Expr& e = run.unit().exprs[target];
     const Binding* b = find_variable(run, e.a);
     if (b == nullptr) b = text_parameter(run, e.a);
     if (b != nullptr) store(run, *b->array, b->offset, Value::string(text), run.unit().span(target));
 }
 
-void assign(Run& run, const program::Assign& a) {
+void assign(Telling& run, const program::Assign& a) {
     const Expr& target = run.unit().exprs[a.target];
     switch (target.kind) {
         case ExprKind::parameter:

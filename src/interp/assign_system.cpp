@@ -15,9 +15,9 @@ namespace codes = base::codes;
 
 namespace {
 
-std::uint64_t system_key(Run& run, const Expr& e) { return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e); }
+std::uint64_t system_key(Reckoning& run, const Expr& e) { return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e); }
 
-void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
+void assign_frame(Telling& run, const Expr& target, const program::Assign& a) {
     if (is_component(run, target)) {
         geom::Frame frame = run.modal.programmed;
         write_component(run, target, frame, a.value);
@@ -43,7 +43,7 @@ void assign_frame(Run& run, const Expr& target, const program::Assign& a) {
 }
 
 /// A dimension of tool [n]; 0: of the one in the spindle.
-void write_tool_column(Run& run, const Expr& target, const program::Assign& a, double value) {
+void write_tool_column(Reckoning& run, const Expr& target, const program::Assign& a, double value) {
     using program::SystemVariable;
     const double n = target.count == 0 ? 0 : number(run, run.unit().children[target.b]);
     const auto found = std::find_if(run.tools.begin(), run.tools.end(),
@@ -75,7 +75,7 @@ bool acts_when_written(program::SystemVariable v) {
 
 }  // namespace
 
-void assign_system(Run& run, const Expr& target, const program::Assign& a) {
+void assign_system(Telling& run, const Expr& target, const program::Assign& a) {
     using program::SystemVariable;
     switch (static_cast<SystemVariable>(target.op)) {
         case SystemVariable::programmed_frame: assign_frame(run, target, a); return;

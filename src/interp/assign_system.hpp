@@ -6,6 +6,6 @@
 namespace obrys::interp {
 
 /// `target` is the assignment's, of kind system.
-void assign_system(Run& run, const program::Expr& target, const program::Assign& a);
+void assign_system(Telling& run, const program::Expr& target, const program::Assign& a);
 
 }  // namespace obrys::interp

@@ -16,7 +16,7 @@ using shop::GivenValue;
 
 namespace {
 
-void give(Run& run, const std::string& key, const Value& v, const base::Span& where) {
+void give(Reckoning& run, const std::string& key, const Value& v, const base::Span& where) {
     if (v.is_unknown() || v.type == Type::frame) return;
     GivenValue g{GivenKind::number, v.number, {}, where};
     if (v.type == Type::boolean) g.kind = GivenKind::truth;
@@ -25,7 +25,7 @@ void give(Run& run, const std::string& key, const Value& v, const base::Span& wh
 }
 
 /// MY_I[2]=SET(4,5,6): the elements from the addressed one on, of arrays with one index.
-void give_list(Run& run, const Expr& target, const Expr& list) {
+void give_list(Reckoning& run, const Expr& target, const Expr& list) {
     const Unit& unit = run.unit();
     if (target.count > 1) return;
     double first = target.count == 1 ? number(run, unit.children[target.b]) : 0;
@@ -38,12 +38,12 @@ void give_list(Run& run, const Expr& target, const Expr& list) {
 }
 
 /// "R7", "#517"; empty where the number is none of a parameter.
-std::string parameter_key(Run& run, double n) {
+std::string parameter_key(Reckoning& run, double n) {
     if (!(n >= 0) || n >= run.parameters.count()) return {};
     return program::parameter_name(*run.traits, base::clipped<std::uint32_t>(n, 0, run.parameters.count() - 1));
 }
 
-void take(Run& run, const program::Assign& a) {
+void take(Reckoning& run, const program::Assign& a) {
     const Unit& unit = run.unit();
     const Expr& target = unit.exprs[a.target];
     const Expr& value = unit.exprs[a.value];
@@ -70,7 +70,7 @@ void take(Run& run, const program::Assign& a) {
 
 }  // namespace
 
-void take_backup(Run& run, const Unit& unit) {
+void take_backup(Reckoning& run, const Unit& unit) {
     run.calls.push_back({});
     run.calls.back().unit = &unit;
     std::size_t taken = 0, left = 0;
@@ -95,7 +95,7 @@ void take_backup(Run& run, const Unit& unit) {
     run.calls.pop_back();
     const base::Span file{unit.file, 0, 0};
     if (taken == 0)
-        run.diagnostics.add(
+        run.diagnostics->add(
             {base::Severity::error, codes::job_value, file, "this file assigns no variables", {}, {}, {}});
     else if (left > 0)
         assume(run, file,

@@ -1,6 +1,8 @@
 /// How a run begins: what machine, job and program say before the first block.
 
 #include "base/whole.hpp"
+#include "interp/capture.hpp"
+#include "interp/look_ahead.hpp"
 #include "interp/path_stage.hpp"
 #include "interp/run.hpp"
 
@@ -24,7 +26,7 @@ geom::Vec3 start_position(const shop::Machine& machine) {
     return p;
 }
 
-void take_overrides(Run& run, const program::Traits& main_traits) {
+void take_overrides(Reckoning& run, const program::Traits& main_traits) {
     const std::uint32_t n = run.parameters.count();
     run.parameter_overridden.assign(n, 0);
     run.parameter_override.assign(n, 0);
@@ -39,7 +41,7 @@ void take_overrides(Run& run, const program::Traits& main_traits) {
     }
 }
 
-void define_globals(Run& run) {
+void define_globals(Reckoning& run) {
     for (const Unit* unit : run.env.definitions) {
         run.calls.push_back({});
         run.calls.back().unit = unit;
@@ -53,7 +55,7 @@ void define_globals(Run& run) {
 }
 
 /// The first preset that a cycle of the program selects by a plain number.
-std::uint32_t first_preset(const Run& run, const Unit& main) {
+std::uint32_t first_preset(const Saying& run, const Unit& main) {
     for (const program::CycleDefinition& c : main.cycles)
         for (const program::CycleSetting& s : c.settings) {
             if (s.role != cl::CycleRole::preset_number || main.exprs[s.value].kind != program::ExprKind::number)
@@ -65,7 +67,7 @@ std::uint32_t first_preset(const Run& run, const Unit& main) {
 }
 
 /// The stream's coordinates are in the first settable datum that the main program selects.
-void choose_reference_datum(Run& run, const Unit& main) {
+void choose_reference_datum(Telling& run, const Unit& main) {
     if (keeps_offsets(run)) {
         run.modal.datum = 54;
         for (const program::Word& w : main.words)
@@ -97,14 +99,19 @@ void begin_as_lathe(ModalState& m) {
 
 }  // namespace
 
-Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
-    : RunState(e.tools, parameter_count, start_position(e.machine)),
-      env(e),
-      stacks(s),
-      zero(k),
-      sink(zero),
-      diagnostics(d) {
+Telling::Telling(const Environment& e, std::uint32_t parameter_count, const geom::Vec3& start, cl::Sink to)
+    : Reckoning(e, parameter_count, start), sink(to) {
     path = std::make_unique<PathStage>();
+}
+
+Telling::~Telling() = default;
+
+Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d, std::uint32_t parameter_count)
+    : RunState(e, parameter_count, start_position(e.machine), k), zero(k), ahead(look_ahead(*this)) {
+    stacks = &s;
+    diagnostics = &d;
+    sink = cl::Sink(zero);
+    onward = ahead.get();
     for (const shop::MachineAxis& axis : e.machine.axes)
         for (int i = 0; i < 9; ++i)
             if (axis.name == axis_name(i)) known_axes |= std::uint64_t{1} << static_cast<unsigned>(axis_code(i));
@@ -117,28 +124,24 @@ Run::Run(const Environment& e, cl::CallStacks& s, cl::Sink k, base::Diagnostics&
 Run::~Run() = default;
 
 Run::Run(const Run& other, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
-    : RunState(other),
-      env(other.env),
-      traits(other.traits),
-      known_axes(other.known_axes),
-      given(other.given),
-      overrides_by_name(other.overrides_by_name),
-      parameter_overridden(other.parameter_overridden),
-      parameter_override(other.parameter_override),
-      time(other.time),
-      stacks(s),
-      zero(other.zero, k),
-      sink(zero),
-      diagnostics(d),
-      path(std::make_unique<PathStage>(*other.path)),
-      overrides_met(other.overrides_met),
-      printed_files(other.printed_files),
-      reported(other.reported),
-      assumed(other.assumed),
-      entered(other.entered),
-      read_pieces(other.read_pieces) {}
+    : RunState(other), zero(other.zero, k), ahead(look_ahead(*this)) {
+    stacks = &s;
+    diagnostics = &d;
+    sink = cl::Sink(zero);
+    onward = ahead.get();
+    reported.take(other.reported);
+    assumed.take(other.assumed);
+    given.take(other.given);
+    overrides_by_name.take(other.overrides_by_name);
+    parameter_overridden.take(other.parameter_overridden);
+    parameter_override.take(other.parameter_override);
+    overrides_met.take(other.overrides_met);
+    path = std::make_unique<PathStage>(*other.path);
+    entered.take(other.entered);
+    printed_files.take(other.printed_files);
+}
 
-void begin(Run& run, const Unit& main) {
+void begin(Calling& run, const Unit& main) {
     const program::Traits& traits = *main.traits;
     const shop::Machine& machine = run.env.machine;
     run.traits = &traits;

@@ -32,14 +32,14 @@ bool is_text(const Unit& unit, program::ExprId id) {
 }
 
 /// Where a jump leads whose word stands in the text: a label, or a block by its number.
-bool is_written(const Run& run, const Unit& unit, const program::Jump& j) {
+bool is_written(const Saying& run, const Unit& unit, const program::Jump& j) {
     if (j.target != program::no_target || j.destination == program::no_expr) return true;
     if (!is_text(unit, j.destination)) return false;
     return unit.labels.contains(run.env.names.id(base::to_upper(unit.texts[unit.exprs[j.destination].a])));
 }
 
 /// Whether jumps, sections and contours may lead behind the end, or be run from there, where no label tells it.
-bool may_be_reached(const Run& run, const Unit& unit) {
+bool may_be_reached(const Saying& run, const Unit& unit) {
     for (const program::Call& call : unit.calls)  // M98 P Q may begin there
         if (call.first_block != program::no_expr) return true;
     return !std::all_of(unit.jumps.begin(), unit.jumps.end(),
@@ -72,7 +72,7 @@ bool names(std::string_view text, std::string_view name) {
 }
 
 /// Any text of the program outside of the label's own block `at` may name it to a call, a jump or a cycle.
-bool is_named(const Run& run, const Unit& unit, program::NameId label, const program::Statement& at) {
+bool is_named(const Saying& run, const Unit& unit, program::NameId label, const program::Statement& at) {
     const auto stands_there = [&](const program::Expr& e) {
         return e.begin >= at.begin && e.begin < at.begin + at.length;
     };
@@ -90,7 +90,7 @@ bool is_named(const Run& run, const Unit& unit, program::NameId label, const pro
 struct Labels {
     bool any = false, named = false;
 };
-Labels labels_at(const Run& run, const Unit& unit, std::uint32_t i) {
+Labels labels_at(const Saying& run, const Unit& unit, std::uint32_t i) {
     Labels l;
     for (const auto& [name, places] : unit.labels) {
         if (std::find(places.begin(), places.end(), i) == places.end()) continue;
@@ -146,7 +146,7 @@ struct Rest {
 };
 
 /// The first block of it that nothing leads to.
-void say_rest(Run& run, const Rest& rest) {
+void say_rest(Saying& run, const Rest& rest) {
     const Unit& unit = *rest.unit;
     if (may_be_reached(run, unit)) return;
     const bool by_value = names_labels_by_value(unit);
@@ -175,13 +175,13 @@ void say_rest(Run& run, const Rest& rest) {
 }
 
 /// A block that is skipped where the switch says so ends nothing then; and what is run often ends as often.
-bool is_told(Run& run, const Unit& unit, std::uint32_t first) {
+bool is_told(Calling& run, const Unit& unit, std::uint32_t first) {
     const bool skipped = run.statement != nullptr && (run.statement->flags & program::skip_mask) != 0;
     return skipped || !run.ends_told.emplace(&unit, first).second;
 }
 
 /// Of the program that is run, not of a piece that was read anew.
-std::size_t program_at(const Run& run) {
+std::size_t program_at(const Saying& run) {
     std::size_t at = run.calls.size() - 1;
     while (at > 0 && run.calls[at].is_piece) --at;
     return at;
@@ -189,13 +189,13 @@ std::size_t program_at(const Run& run) {
 
 }  // namespace
 
-void say_blocks_behind(Run& run, const std::string& end) {
+void say_blocks_behind(Calling& run, const std::string& end) {
     const Activation& act = run.calls[program_at(run)];
     if (is_told(run, *act.unit, act.pc)) return;
     say_rest(run, {act.unit, act.pc, run.statement->begin, "the program ends before it with " + end});
 }
 
-void say_callers_rest(Run& run, const std::string& end) {
+void say_callers_rest(Calling& run, const std::string& end) {
     const std::size_t ending = program_at(run);
     for (std::size_t k = ending + 1; k-- > 0;) {
         const Activation& act = run.calls[k];

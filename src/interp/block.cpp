@@ -17,7 +17,6 @@ namespace codes = base::codes;
 void BlockWords::clear() {
     present = used = twice = 0;
     groups = 0;
-    complained = false;
     m.clear();
     h.clear();
     axes.clear();
@@ -34,7 +33,7 @@ void BlockWords::clear() {
 namespace {
 
 /// Value of a word that needs a number.
-double word_value(Run& run, const Word& w) {
+double word_value(Reckoning& run, const Word& w) {
     if (program::is_literal(w)) return run.unit().literal(w);
     if (program::form_of(w) == Form::expression) return number(run, static_cast<ExprId>(w.payload));
     return 0;
@@ -42,7 +41,7 @@ double word_value(Run& run, const Word& w) {
 
 /// Number of an M or H function; nothing after a complaint. M functions have whole numbers without a sign. H functions
 /// may have any value (SINUMERIK: REAL), of which the stream has the whole part.
-std::optional<int> function_number(Run& run, Code letter, const base::Span& where, double v) {
+std::optional<int> function_number(Saying& run, Code letter, const base::Span& where, double v) {
     constexpr double whole_enough = 1e-4;
     constexpr int most = 99'999'999;
     if (std::isnan(v)) {
@@ -64,12 +63,12 @@ std::optional<int> function_number(Run& run, Code letter, const base::Span& wher
     return n;
 }
 
-void add_function(Run& run, Code letter, const base::Span& where, double v) {
+void add_function(Moving& run, Code letter, const base::Span& where, double v) {
     if (const auto n = function_number(run, letter, where, v))
         (letter == Code::h ? run.block.h : run.block.m).push_back(*n);
 }
 
-void tool_word(Run& run, const Word& w) {
+void tool_word(Moving& run, const Word& w) {
     BlockWords& b = run.block;
     if (program::form_of(w) == Form::expression) {
         const Value v = evaluate(run, static_cast<ExprId>(w.payload));
@@ -82,13 +81,13 @@ void tool_word(Run& run, const Word& w) {
     b.put(Code::tool, word_value(run, w));
 }
 
-bool complained(const Run& run, const base::Span& where) {
-    for (const base::Diagnostic& d : run.diagnostics.all())
+bool complained(const Saying& run, const base::Span& where) {
+    for (const base::Diagnostic& d : run.diagnostics->all())
         if (d.code == codes::syntax && d.where.file == where.file && d.where.begin == where.begin) return true;
     return false;
 }
 
-void problem_word(Run& run, const Word& w) {
+void problem_word(Saying& run, const Word& w) {
     const program::Problem& p = run.unit().problems[static_cast<std::size_t>(w.payload)];
     if (!p.reason.empty() && complained(run, p.where)) {  // the reader has said it already
         if (!run.traits->bad_block_stops || run.stopped) return;
@@ -105,7 +104,7 @@ void problem_word(Run& run, const Word& w) {
 }
 
 /// Evaluates an assignment that takes effect behind the block's last expression.
-void assign_later(Run& run, const program::Assign& a) {
+void assign_later(Moving& run, const program::Assign& a) {
     const program::Expr& target = run.unit().exprs[a.target];
     PendingAssign p{&a, 0, 0};
     if (target.kind == program::ExprKind::parameter) p.index = target.a;
@@ -114,14 +113,14 @@ void assign_later(Run& run, const program::Assign& a) {
     if (!run.stopped) run.block.pending.push_back(p);
 }
 
-void take_effect(Run& run) {
+void take_effect(Moving& run) {
     for (const PendingAssign& p : run.block.pending)
         if (!run.stopped) assign_value(run, *p.assign, p.index, p.value);
     run.block.pending.clear();
 }
 
 /// F, S, T and M act, before what follows in the block.
-void act(Run& run) {
+void act(Moving& run) {
     take_effect(run);
     if (run.stopped) return;
     technology(run);
@@ -130,7 +129,7 @@ void act(Run& run) {
 
 }  // namespace
 
-void gather(Run& run, const program::Statement& s, const Word& w) {
+void gather(Calling& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
     if (program::form_of(w) == Form::expression && is_empty(run, static_cast<ExprId>(w.payload))) return;
     switch (code) {
@@ -170,7 +169,7 @@ void gather(Run& run, const program::Statement& s, const Word& w) {
 namespace {
 
 /// CYCL CALL POS and CYCL CALL PAT. Their feed is that of the way to the points and ends with the block.
-void call_at_places(Run& run) {
+void call_at_places(Cycling& run) {
     if (run.block.twice != 0) repeated_words(run);
     if (run.stopped) return;
     const double feed = run.feed;
@@ -198,7 +197,7 @@ namespace {
 
 /// SINUMERIK, NC programming 12/2019, MCALL: it acts as well where F or S is programmed, or G0 or G1 stands in a block
 /// without motion.
-bool calls_without_motion(const Run& run) {
+bool calls_without_motion(const Moving& run) {
     if (!run.traits->modal_call_without_motion || run.block.special == Modal::dwell) return false;
     if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear) return false;
     return run.block.says_straight || run.block.has(Code::feed) || run.block.has(Code::spindle);
@@ -206,9 +205,10 @@ bool calls_without_motion(const Run& run) {
 
 }  // namespace
 
-void run_block(Run& run, const program::Statement& s, std::uint32_t index) {
+void run_block(Cycling& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     run.block.clear();
+    run.complained = false;
     const std::uint32_t end = unit.words_end(index);
     bool assigns_only = true, says_only = true;
     for (std::uint32_t i = s.first; i < end; ++i) {

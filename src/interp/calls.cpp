@@ -21,7 +21,7 @@ namespace codes = base::codes;
 namespace {
 
 /// Binds a VAR parameter to the caller's variable. False where the argument is no variable.
-bool bind_reference(Run& run, const Parameter& p, const Unit& caller, ExprId argument, Scope& locals) {
+bool bind_reference(Reckoning& run, const Parameter& p, const Unit& caller, ExprId argument, Scope& locals) {
     const program::Expr& e = caller.exprs[argument];
     const Binding* b = e.kind == ExprKind::variable ? find_variable(run, e.a) : nullptr;
     if (b == nullptr) return false;
@@ -36,7 +36,7 @@ bool bind_reference(Run& run, const Parameter& p, const Unit& caller, ExprId arg
 }
 
 /// What a VAR parameter is given must be a variable; what cannot be written back is said.
-void note_lost_reference(Run& run, const Parameter& p, const Unit& caller, ExprId argument) {
+void note_lost_reference(Saying& run, const Parameter& p, const Unit& caller, ExprId argument) {
     const ExprKind kind = caller.exprs[argument].kind;
     if (kind == ExprKind::variable) return;  // not defined: reported where it is read
     const std::string& name = run.env.names.text(p.name);
@@ -48,7 +48,7 @@ void note_lost_reference(Run& run, const Parameter& p, const Unit& caller, ExprI
         alarm(run, codes::bad_argument, caller.span(argument), "VAR " + name + " needs a variable here");
 }
 
-void bind_value(Run& run, const Parameter& p, Value v, const base::Span& where, Scope& locals) {
+void bind_value(Saying& run, const Parameter& p, Value v, const base::Span& where, Scope& locals) {
     auto array = std::make_shared<Array>();
     array->type = p.type;
     array->allocate();
@@ -72,7 +72,7 @@ Value zero_of(Type t) {
 }
 
 /// Evaluates the arguments in the caller and binds them in `callee`.
-void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& callee) {
+void bind_arguments(Reckoning& run, const Unit& unit, const Call& call, Activation& callee) {
     const Unit& caller = run.unit();
     if (call.arguments.size() > unit.parameters.size()) {
         alarm(run, codes::bad_argument, call.where,
@@ -99,7 +99,7 @@ void bind_arguments(Run& run, const Unit& unit, const Call& call, Activation& ca
 }
 
 /// A program that is run without its call: arguments are what the job gives, their default values, or not known.
-void bind_main_arguments(Run& run, const Unit& unit) {
+void bind_main_arguments(Reckoning& run, const Unit& unit) {
     Activation& main = run.top();
     for (std::size_t i = 0; i < unit.parameters.size() && !run.stopped; ++i) {
         const Parameter& p = unit.parameters[i];
@@ -120,7 +120,7 @@ void bind_main_arguments(Run& run, const Unit& unit) {
 }
 
 /// Default values of parameters are evaluated inside the called program.
-void bind_presets(Run& run, const Unit& unit) {
+void bind_presets(Reckoning& run, const Unit& unit) {
     Activation& callee = run.top();
     for (std::size_t i = 0; i < unit.parameters.size() && i < 32 && !run.stopped; ++i) {
         const Parameter& p = unit.parameters[i];
@@ -134,11 +134,11 @@ void bind_presets(Run& run, const Unit& unit) {
 }
 
 /// Complaints and lists that belong to a program as a whole, once when it is first entered.
-void note_unit(Run& run, const Unit& unit) {
+void note_unit(Calling& run, const Unit& unit) {
     if (run.look == Look::next_element) return;  // the run comes here again
     if (!run.entered.insert(&unit).second) return;
     for (const program::Ignored& i : unit.ignored)
-        run.diagnostics.add(
+        run.diagnostics->add(
             {base::Severity::note,
              codes::no_effect,
              i.where,
@@ -157,7 +157,7 @@ std::string program_name(std::string_view written) {
     return s;
 }
 
-const Unit* find(Run& run, const std::string& name, const base::Span& where, const Call* call = nullptr) {
+const Unit* find(Saying& run, const std::string& name, const base::Span& where, const Call* call = nullptr) {
     if (const Unit* unit = run.env.find_program(name)) return unit;
     if (run.traits->missing_program_stops) {
         refuse_call(run, name, call);
@@ -170,16 +170,18 @@ const Unit* find(Run& run, const std::string& name, const base::Span& where, con
 
 }  // namespace
 
-bool find_file(Run& run, const std::string& written) { return run.env.find_program(program_name(written)) != nullptr; }
+bool find_file(Saying& run, const std::string& written) {
+    return run.env.find_program(program_name(written)) != nullptr;
+}
 
-const Unit* find_named_program(Run& run, const std::string& written, const base::Span& where) {
+const Unit* find_named_program(Saying& run, const std::string& written, const base::Span& where) {
     return find(run, program_name(written), where);
 }
 
 namespace {
 
 /// Local numbered parameters begin unset in every program; the caller's are put aside.
-void hide_locals(Run& run, const Unit& unit, Activation& callee) {
+void hide_locals(Reckoning& run, const Unit& unit, Activation& callee) {
     std::uint32_t n = 0;
     for (const program::ParameterBank& bank : unit.traits->banks) {
         for (std::uint32_t i = 0; bank.local && i < bank.count; ++i, ++n) {
@@ -190,7 +192,7 @@ void hide_locals(Run& run, const Unit& unit, Activation& callee) {
     }
 }
 
-void show_locals(Run& run, const Activation& callee) {
+void show_locals(Reckoning& run, const Activation& callee) {
     std::uint32_t n = 0;
     std::size_t at = 0;
     for (const program::ParameterBank& bank : callee.unit->traits->banks) {
@@ -207,7 +209,7 @@ void show_locals(Run& run, const Activation& callee) {
 namespace {
 
 /// Arguments of a call as the numbered parameters 1, 2 … of the called program, whose others are 0.
-void pass_arguments(Run& run, const Call* call, Activation& callee) {
+void pass_arguments(Reckoning& run, const Call* call, Activation& callee) {
     const std::uint32_t count = run.traits->argument_parameters;
     if (count == 0 || run.calls.empty() || (call != nullptr && call->shares_parameters)) return;
     std::array<double, 64> values{};
@@ -226,7 +228,7 @@ void pass_arguments(Run& run, const Call* call, Activation& callee) {
 }
 
 /// Runs of the call beyond the first; nothing where it is not made at all.
-std::optional<std::uint64_t> repeats_of(Run& run, const Call& call, const base::Span& where) {
+std::optional<std::uint64_t> repeats_of(Reckoning& run, const Call& call, const base::Span& where) {
     if (call.passes == program::no_expr) return 0;
     const double passes = number(run, call.passes);
     if (std::isnan(passes))
@@ -236,7 +238,7 @@ std::optional<std::uint64_t> repeats_of(Run& run, const Call& call, const base::
 }
 
 /// The program just called begins with block number `n`; false after an alarm.
-bool begin_at(Run& run, double n, const base::Span& where) {
+bool begin_at(Saying& run, double n, const base::Span& where) {
     const std::vector<std::uint32_t> at = numbered_statements(run, n);
     if (!at.empty()) {
         run.top().entry = run.top().pc = at.front();
@@ -247,7 +249,7 @@ bool begin_at(Run& run, double n, const base::Span& where) {
     return false;
 }
 
-void return_arguments(Run& run, const Activation& callee) {
+void return_arguments(Reckoning& run, const Activation& callee) {
     for (std::uint32_t n = 1; n <= callee.outer_arguments.size(); ++n) {
         run.parameters.forget(n);
         if (callee.outer_arguments[n - 1].second) run.parameters.set(n, callee.outer_arguments[n - 1].first);
@@ -259,13 +261,13 @@ void return_arguments(Run& run, const Activation& callee) {
 namespace {
 
 /// Traits::dimensions_per_program.
-void begin_dimensions(Run& run) {
+void begin_dimensions(Reckoning& run) {
     run.modal.absolute = true;
     run.modal.cartesian_path = false;
     run.modal.paraxial = Modal::paraxial;
 }
 
-void end_dimensions(Run& run, const ModalState& caller) {
+void end_dimensions(Moving& run, const ModalState& caller) {
     settle_motion(run);
     run.modal.absolute = caller.absolute;
     run.modal.paraxial = caller.paraxial;
@@ -276,7 +278,7 @@ void end_dimensions(Run& run, const ModalState& caller) {
 
 }  // namespace
 
-void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where, std::uint64_t repeats) {
+void enter(Calling& run, const Unit& unit, const Call* call, const base::Span& where, std::uint64_t repeats) {
     if (run.calls.size() >= run.env.budgets.call_depth) {
         unchecked(run, codes::budget, where,
                   "programs call each other more than " + std::to_string(run.env.budgets.call_depth) + " levels deep",
@@ -288,7 +290,7 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
     settle_motion(run);
     Activation callee;
     callee.unit = &unit;
-    callee.stack = run.calls.empty() ? 0 : run.stacks.push(run.top().stack, where);
+    callee.stack = run.calls.empty() ? 0 : run.stacks->push(run.top().stack, where);
     callee.saves = unit.save;
     callee.saved = run.modal;
     if (call != nullptr && run.traits->argument_parameters == 0) bind_arguments(run, unit, *call, callee);
@@ -314,7 +316,7 @@ void enter(Run& run, const Unit& unit, const Call* call, const base::Span& where
 namespace {
 
 /// The modal state SAVE brings back; what the stream has to be told again is told.
-void restore(Run& run, const ModalState& saved) {
+void restore(Telling& run, const ModalState& saved) {
     flush_path(run);
     if (saved.feed_mode != run.modal.feed_mode) {
         run.feed_valid = false;
@@ -335,7 +337,7 @@ namespace {
 
 /// What a program called by G66 leaves in its own parameters is there at its next call: the arguments are set once, by
 /// G66 (FANUC B-63684EN, 16.7.2, limitations of modal calls).
-void keep_modal_parameters(Run& run) {
+void keep_modal_parameters(Calling& run) {
     auto& kept = run.modal_call.parameters;
     for (std::uint32_t n = 1; n <= kept.size(); ++n) kept[n - 1] = {run.parameters.get(n), run.parameters.is_set(n)};
 }
@@ -360,14 +362,14 @@ std::uint32_t unended_label(const Activation& act) {
 namespace {
 
 /// What is repeated when the program is left.
-void end_sections(Run& run) {
+void end_sections(Telling& run) {
     for (const ActiveSection& s : run.top().sections)
         if (s.pass > 1) end_part(run);
 }
 
 }  // namespace
 
-void leave(Run& run) {
+void leave(Calling& run) {
     Activation& act = run.top();
     if (act.is_piece) {
         run.calls.pop_back();
@@ -404,7 +406,7 @@ void leave(Run& run) {
     run.statement = &run.unit().statements[run.top().pc - 1];
 }
 
-void return_to_block(Run& run, const program::Jump& j) {
+void return_to_block(Calling& run, const program::Jump& j) {
     if (run.calls.size() == 1) return jump(run, j);
     const double n = number(run, j.destination);
     const base::Span where = run.unit().span(j.destination);
@@ -424,7 +426,7 @@ void return_to_block(Run& run, const program::Jump& j) {
     run.top().pc = target;
 }
 
-void call_program(Run& run, const Call& call) {
+void call_program(Calling& run, const Call& call) {
     if (call.kind == program::CallKind::modal_end) {
         run.modal_call = {};
         return;
@@ -464,7 +466,7 @@ void call_program(Run& run, const Call& call) {
 namespace {
 
 /// Arguments of G66 as the numbered parameters of the called program.
-void set_modal_parameters(Run& run, const Call& call, ModalCall& modal) {
+void set_modal_parameters(Reckoning& run, const Call& call, ModalCall& modal) {
     modal.parameters.assign(run.traits->argument_parameters, {0.0, false});
     for (std::size_t i = 0; i < call.arguments.size() && i < modal.parameters.size(); ++i)
         if (call.arguments[i] != program::no_expr && !is_empty(run, call.arguments[i]))
@@ -473,7 +475,7 @@ void set_modal_parameters(Run& run, const Call& call, ModalCall& modal) {
 
 }  // namespace
 
-void set_modal_call(Run& run, const Unit& unit, const Call& call) {
+void set_modal_call(Calling& run, const Unit& unit, const Call& call) {
     if (run.traits->modal_calls_nest && run.modal_call.unit != nullptr)
         unchecked(run, codes::unsupported, call.where,
                   "a second modal call while one is in force is not run as the control nests them: it replaces the "
@@ -492,7 +494,7 @@ void set_modal_call(Run& run, const Unit& unit, const Call& call) {
     if (!run.stopped) run.modal_call = std::move(modal);
 }
 
-void run_modal_call(Run& run) {
+void run_modal_call(Calling& run) {
     const ModalCall& modal = run.modal_call;
     if (modal.unit == nullptr || run.stopped) return;
     for (const Activation& a : run.calls)

@@ -21,12 +21,12 @@ namespace {
 
 constexpr double most_holes = 100'000;
 
-const program::CannedCycle& cycle_of(const Run& run) {
+const program::CannedCycle& cycle_of(const Reckoning& run) {
     return run.traits->canned[static_cast<std::size_t>(run.modal.motion_number)];
 }
 
 /// Another cycle begins; within a series what was said stays where the control keeps it (Traits::canned_words_stay).
-void begin_cycle(Run& run, const program::CannedCycle& c) {
+void begin_cycle(Moving& run, const program::CannedCycle& c) {
     CannedState& s = run.canned;
     CannedState next;
     next.active = true;
@@ -51,10 +51,10 @@ void begin_cycle(Run& run, const program::CannedCycle& c) {
 bool taps(cl::CycleKind k) { return k == cl::CycleKind::canned_tap_floating || k == cl::CycleKind::canned_tap_rigid; }
 
 /// G91, and the control makes positions of what it says: R from the level of the series, Z from R.
-bool counts_on(const Run& run) { return run.traits->canned_positions_stay && !run.modal.absolute; }
+bool counts_on(const Reckoning& run) { return run.traits->canned_positions_stay && !run.modal.absolute; }
 
 /// R and the coordinate of the tool axis.
-void take_heights(Run& run, const PlaneAxes& a) {
+void take_heights(Moving& run, const PlaneAxes& a) {
     CannedState& s = run.canned;
     const bool depth = run.block.has(axis_code(a.w));
     if (run.block.has(Code::radius)) {
@@ -72,7 +72,7 @@ void take_heights(Run& run, const PlaneAxes& a) {
     s.bottom_from_retract = !run.modal.absolute;
 }
 
-void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+void take_words(Cycling& run, const program::CannedCycle& c, const PlaneAxes& a) {
     CannedState& s = run.canned;
     const double unit = length_unit(run.modal);
     if (!s.active || s.cycle != run.modal.motion_number) {
@@ -93,7 +93,7 @@ void take_words(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
     }
 }
 
-std::optional<double> repeats(Run& run) {
+std::optional<double> repeats(Moving& run) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
     if (n >= 0 && n <= most_holes && n == std::floor(n)) return n;
     if (std::isnan(n)) {
@@ -107,7 +107,7 @@ std::optional<double> repeats(Run& run) {
 }
 
 /// Between which heights the hole lies.
-void add_heights(cycles::Demand& d, const Run& run, const program::CannedCycle& c, double initial) {
+void add_heights(cycles::Demand& d, const Moving& run, const program::CannedCycle& c, double initial) {
     const CannedState& s = run.canned;
     const bool on = !run.modal.absolute && !run.traits->canned_positions_stay;  // what was written counts as it is read
     const double retract = s.retract + (on ? initial : 0);
@@ -125,7 +125,7 @@ void add_heights(cycles::Demand& d, const Run& run, const program::CannedCycle& 
     if (s.has_bottom) d.values.push_back({CycleRole::bottom, retract - std::abs(s.bottom)});
 }
 
-cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
+cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
     const CannedState& s = run.canned;
     cycles::Demand d;
     d.kind = c.kind;
@@ -152,7 +152,7 @@ cycles::Demand demand_at(const Run& run, const program::CannedCycle& c, const ge
     return d;
 }
 
-void overrides(Run& run, int allowed) {
+void overrides(Telling& run, int allowed) {
     // What the program has switched off before stays off behind the tap.
     if (allowed == 0 || run.overrides.feed) tell_feed_override(run, allowed == 1);
     if (run.env.tell_settings && (allowed == 0 || run.overrides.speed))
@@ -169,8 +169,8 @@ cycles::Demand told(cycles::Demand d) {
 }
 
 /// The steps of one hole; the cycle begins over it. Overrides are off while a tap is in it.
-void emit_hole(Run& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
-               const Calling& calling) {
+void emit_hole(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
+               const WayOfCall& calling) {
     bool in_hole = false;
     if (e.steps.empty()) begin_bracket(run, told(demand), c.name, calling);  // not simulated
     for (std::size_t i = 0; i < e.steps.size(); ++i) {
@@ -192,13 +192,13 @@ void emit_hole(Run& run, const program::CannedCycle& c, const cycles::Demand& de
     if (!run.stopped) end_bracket(run);
 }
 
-void exact_path(Run& run) {
+void exact_path(Telling& run) {
     if (run.modal.path_mode != Modal::path_exact) tell(run, SettingKind::path_mode, 0);
 }
 
 /// The move to the retract plane where the series began below it: a block of its own, which comes before the control
 /// slows down, and is made also where the tool is there already. From above it goes down.
-void rise(Run& run, double retract) {
+void rise(Telling& run, double retract) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Vec3 at = into_plane(run.programmed_position, a);
     at.z = retract;
@@ -206,7 +206,7 @@ void rise(Run& run, double retract) {
 }
 
 /// What is wrong with the first hole is said before anything moves.
-bool begin_series(Run& run, const program::CannedCycle& c, const cycles::Demand& demand, double began_at) {
+bool begin_series(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, double began_at) {
     if (demand.get(CycleRole::rise_first, 0) != 0) {
         const cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (std::any_of(e.complaints.begin(), e.complaints.end(), [](const auto& k) { return k.fatal; }))
@@ -218,7 +218,7 @@ bool begin_series(Run& run, const program::CannedCycle& c, const cycles::Demand&
     return true;
 }
 
-void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+void run_holes(Moving& run, const program::CannedCycle& c, const PlaneAxes& a) {
     const auto count = repeats(run);
     if (!count) return;
     if (c.turns_axes && run.modal.plane != 17)
@@ -253,7 +253,7 @@ void run_holes(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
 }
 
 /// Heights of a back bore in force, said in G91: its R and Z count from elsewhere than those of other cycles.
-bool refuses_heights(Run& run, const program::CannedCycle& c, const PlaneAxes& a) {
+bool refuses_heights(Moving& run, const program::CannedCycle& c, const PlaneAxes& a) {
     if (c.kind != cl::CycleKind::canned_back_bore || !counts_on(run)) return false;
     if (!run.block.has(axis_code(a.w)) && !run.block.has(Code::e)) return false;
     unchecked(run, codes::unsupported, run.here(),
@@ -265,7 +265,7 @@ bool refuses_heights(Run& run, const program::CannedCycle& c, const PlaneAxes& a
 
 }  // namespace
 
-bool report_expansion(Run& run, std::string_view name, const cycles::Expansion& e) {
+bool report_expansion(Reckoning& run, std::string_view name, const cycles::Expansion& e) {
     const std::string cycle(name);
     for (const cycles::Complaint& k : e.complaints) {
         if (k.fatal) {
@@ -281,7 +281,7 @@ bool report_expansion(Run& run, std::string_view name, const cycles::Expansion& 
     return true;
 }
 
-bool canned_motion(Run& run) {
+bool canned_motion(Cycling& run) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const program::CannedCycle& c = cycle_of(run);
     if (run.modal.compensation != Modal::compensation_off && run.traits->needs_feed) {

@@ -17,7 +17,7 @@ namespace {
 
 int rank(TransformKind k) { return k == TransformKind::mirror ? 0 : k == TransformKind::rotation ? 2 : 1; }
 
-void act_together(Run& run) {
+void act_together(Telling& run) {
     auto& all = run.modal.transforms;
     std::stable_sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return rank(a.kind) < rank(b.kind); });
     run.modal.programmed = {};
@@ -26,7 +26,7 @@ void act_together(Run& run) {
 }
 
 /// The tool's place stands in for axes that the block does not name.
-geom::Vec3 centre_of(Run& run, const std::vector<int>& axes, const char* name) {
+geom::Vec3 centre_of(Moving& run, const std::vector<int>& axes, const char* name) {
     const BlockWords& b = run.block;
     geom::Vec3 c;
     bool named = false, left_out = false;
@@ -43,7 +43,7 @@ geom::Vec3 centre_of(Run& run, const std::vector<int>& axes, const char* name) {
     return c;
 }
 
-bool can_be_made(Run& run, const geom::Frame& op, const geom::Vec3& centre, const char* name) {
+bool can_be_made(Saying& run, const geom::Frame& op, const geom::Vec3& centre, const char* name) {
     const bool known = geom::is_finite(centre) &&
                        std::all_of(op.linear.begin(), op.linear.end(), [](double v) { return std::isfinite(v); });
     if (!known)
@@ -52,14 +52,14 @@ bool can_be_made(Run& run, const geom::Frame& op, const geom::Vec3& centre, cons
     return known;
 }
 
-void add(Run& run, TransformKind kind, int axis, const geom::Frame& op, const geom::Vec3& centre) {
+void add(Telling& run, TransformKind kind, int axis, const geom::Frame& op, const geom::Vec3& centre) {
     auto& all = run.modal.transforms;
     std::erase_if(all, [&](const Transform& t) { return t.kind == kind && t.axis == axis; });
     all.push_back({kind, geom::Frame::shift(centre) * op * geom::Frame::shift(geom::Vec3{} - centre), axis});
     act_together(run);
 }
 
-void rotate_about(Run& run) {
+void rotate_about(Moving& run) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Frame op = geom::Frame::rotation(a.w, geom::radians(run.block.get(Code::plane_rotation)));
     const geom::Vec3 centre = centre_of(run, {a.u, a.v}, "the rotation");
@@ -67,7 +67,7 @@ void rotate_about(Run& run) {
     if (can_be_made(run, op, centre, "the rotation")) add(run, TransformKind::rotation, -1, op, centre);
 }
 
-void scale_about(Run& run) {
+void scale_about(Moving& run) {
     const BlockWords& b = run.block;
     geom::Vec3 f{1, 1, 1};
     constexpr Code factors[3] = {Code::i, Code::j, Code::k};
@@ -86,7 +86,7 @@ void scale_about(Run& run) {
     if (can_be_made(run, op, centre, "the scaling")) add(run, TransformKind::scaling, -1, op, centre);
 }
 
-void mirror_about(Run& run) {
+void mirror_about(Moving& run) {
     for (int k = 0; k < 3 && !run.stopped; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         geom::Vec3 centre, f{1, 1, 1};
@@ -98,7 +98,7 @@ void mirror_about(Run& run) {
 }
 
 /// Without an axis every one.
-void end_mirror(Run& run) {
+void end_mirror(Moving& run) {
     bool any = false;
     for (int k = 0; k < 3; ++k) any = any || run.block.has(axis_code(k));
     std::erase_if(run.modal.transforms, [&](const Transform& t) {
@@ -109,7 +109,7 @@ void end_mirror(Run& run) {
 
 }  // namespace
 
-void transform_about_centre(Run& run, Modal m) {
+void transform_about_centre(Moving& run, Modal m) {
     const auto end = [&](TransformKind kind) {
         std::erase_if(run.modal.transforms, [&](const Transform& t) { return t.kind == kind; });
     };

@@ -24,14 +24,14 @@ struct Pocket {
     double sense = 1;  ///< +1 counter-clockwise
 };
 
-bool refuse_pocket(Run& run, std::string text, std::string remedy = {}) {
+bool refuse_pocket(Moving& run, std::string text, std::string remedy = {}) {
     alarm(run, codes::value_range, run.here(), std::string(run.block.special_number == 1 ? "G13: " : "G12: ") + text,
           std::move(remedy));
     return false;
 }
 
 /// Radius by which the circles are smaller, mm: of offset D, of the last D, of the tool; nothing where none is known.
-std::optional<double> radius_taken_off(Run& run) {
+std::optional<double> radius_taken_off(Moving& run) {
     if (run.block.has(Code::offset_d))
         take_offset_radius(run, run.block.get(Code::offset_d));
     else if (run.traits->offset_numbers_stay && !std::isnan(run.modal.offset_d))
@@ -46,7 +46,7 @@ std::optional<double> radius_taken_off(Run& run) {
 }
 
 /// I alone is the finished circle; with K the circles grow from I by Q up to K.
-bool take_circles(Run& run, double tool, Pocket& pocket) {
+bool take_circles(Moving& run, double tool, Pocket& pocket) {
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
     const double first = b.has(Code::i) ? std::abs(b.get(Code::i)) * unit : 0;
@@ -65,7 +65,7 @@ bool take_circles(Run& run, double tool, Pocket& pocket) {
     return true;
 }
 
-bool take_levels(Run& run, const geom::Vec3& target, Pocket& pocket) {
+bool take_levels(Moving& run, const geom::Vec3& target, Pocket& pocket) {
     const double n = run.block.has(Code::l) ? run.block.get(Code::l) : 1;
     const auto passes = base::whole<int>(n, 1, most_passes);
     if (!passes) return refuse_pocket(run, "L must be a whole number of passes");
@@ -75,14 +75,14 @@ bool take_levels(Run& run, const geom::Vec3& target, Pocket& pocket) {
     return true;
 }
 
-void line(Run& run, const geom::Vec3& to, bool rapid) { emit_step(run, cl::Linear{to, {0, 0, 1}, rapid}); }
+void line(Telling& run, const geom::Vec3& to, bool rapid) { emit_step(run, cl::Linear{to, {0, 0, 1}, rapid}); }
 
-void arc(Run& run, const Pocket& p, const geom::Vec2& centre, const geom::Vec3& to, double sweep) {
+void arc(Telling& run, const Pocket& p, const geom::Vec2& centre, const geom::Vec3& to, double sweep) {
     emit_step(run, cl::Arc{to, {centre.x, centre.y, to.z}, {0, 0, 1}, p.sense * sweep});
 }
 
 /// One level: half a circle out of the middle, circle after circle, half a circle back.
-void pass(Run& run, const Pocket& p, double level) {
+void pass(Telling& run, const Pocket& p, double level) {
     const geom::Vec2 middle{p.centre.x, p.centre.y};
     const geom::Vec3 centre{p.centre.x, p.centre.y, level};
     line(run, centre, false);
@@ -117,7 +117,7 @@ cycles::Demand demand_of(const Pocket& p, double tool) {
 
 }  // namespace
 
-bool circle_pocket(Run& run) {
+bool circle_pocket(Moving& run) {
     if (run.modal.plane != 17)
         return refuse_pocket(run, "circular pockets lie in the plane of G17", "write G17 before it");
     if (run.modal.compensation != Modal::compensation_off)

@@ -8,7 +8,7 @@
 namespace obrys::interp {
 
 /// RR behind RL: at least one straight block without compensation has to stand between them (iTNC 530 manual, 5.3).
-void refuse_other_side(Run& run, Modal m) {
+void refuse_other_side(Reckoning& run, Modal m) {
     const Modal now = run.modal.compensation;
     if (!run.traits->compensation_keeps_side || run.capture != nullptr) return;
     if (now == Modal::compensation_off || m == Modal::compensation_off || m == now) return;
@@ -19,7 +19,7 @@ void refuse_other_side(Run& run, Modal m) {
 
 /// R+ and R- lengthen and shorten the way of a block of a single axis. In a contour with RL or RR they are another
 /// compensation, which wants a block without one before it (iTNC 530 manual DIN/ISO 606 42x-03, page 205).
-void compensate_along_axis(Run& run, Modal m) {
+void compensate_along_axis(Moving& run, Modal m) {
     run.modal.paraxial = m;
     if (run.modal.compensation != Modal::compensation_off && run.capture == nullptr)
         return alarm(run, base::codes::compensation, run.here(),
@@ -34,7 +34,7 @@ void compensate_along_axis(Run& run, Modal m) {
               "program the axis alone, without a path function (DIN/ISO: with G07)");
 }
 
-void leave_compensation(Run& run, const std::string& because) {
+void leave_compensation(Telling& run, const std::string& because) {
     ModalState& state = run.modal;
     if (!run.traits->compensation_keeps_side || run.capture != nullptr || state.compensation == Modal::compensation_off)
         return;
@@ -47,7 +47,7 @@ void leave_compensation(Run& run, const std::string& because) {
     state.look_ahead = 0;
 }
 
-void note_compensation(Run& run, Modal m) {
+void note_compensation(Telling& run, Modal m) {
     const Unit& unit = run.unit();
     const base::Span here = run.here();
     for (CarriedCompensation& c : run.carried)
@@ -61,14 +61,14 @@ void note_compensation(Run& run, Modal m) {
             run.modal.compensation_word = unit.span(*run.statement, unit.words[w]);
 }
 
-std::string compensation_in_force(const Run& run) {
+std::string compensation_in_force(const Reckoning& run) {
     const base::Span at = run.modal.compensation_word;
     const std::string_view text = run.env.sources[at.file].text;
     const std::string word = base::to_upper(base::trim(text.substr(at.begin, at.end - at.begin)));
     return word + " of " + block_name(run, at);
 }
 
-void say_carried_compensation(Run& run) {
+void say_carried_compensation(Telling& run) {
     if (run.modal.compensation == Modal::compensation_off || run.capture != nullptr) return;
     const std::string word = compensation_in_force(run);
     assume(run, run.here(),

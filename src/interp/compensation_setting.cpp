@@ -20,7 +20,7 @@ namespace codes = base::codes;
 namespace {
 
 /// The contour is compensated in programmed coordinates: the tool, which no frame turns or scales, is brought there.
-void into_frame(const Run& run, path::Setting& s) {
+void into_frame(const Telling& run, path::Setting& s) {
     if (run.frame_is_identity || geom::is_shift_only(run.frame) || compensates_in_fixed_plane(run)) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Frame back = geom::inverse(run.frame);
@@ -35,14 +35,14 @@ void into_frame(const Run& run, path::Setting& s) {
 
 }  // namespace
 
-double radius_in_stream(const Run& run, double radius) {
+double radius_in_stream(const Telling& run, double radius) {
     if (run.frame_is_identity || geom::is_shift_only(run.frame) || compensates_in_fixed_plane(run)) return radius;
     geom::Vec3 unit;
     coordinate(unit, plane_axes(run.modal.plane).u) = 1;
     return radius * geom::length(geom::apply_direction(run.frame, unit));
 }
 
-void switch_compensation_off(Run& run) {
+void switch_compensation_off(Telling& run) {
     run.modal.compensation = Modal::compensation_off;
     run.path->tell_end(run);
 }
@@ -53,7 +53,7 @@ namespace {
 constexpr int usual_nose = 3;
 
 /// A lathe's path depends on where the nose lies; on other machines a tool without that is a mill.
-void say_missing_nose(Run& run) {
+void say_missing_nose(Reckoning& run) {
     if (run.env.machine.kind != shop::MachineKind::lathe) return;
     unchecked_once(run, codes::unknown_value, run.here(),
                    "radius compensation with T" + std::to_string(run.tool.number) +
@@ -61,14 +61,14 @@ void say_missing_nose(Run& run) {
                    "give the tool as a turning insert (kind = \"turning\") with its orientation in the job");
 }
 
-int nose_of(Run& run, const shop::Tool& tool) {
+int nose_of(Reckoning& run, const shop::Tool& tool) {
     const std::optional<int> nose = nose_orientation(tool);
     if (!nose) say_missing_nose(run);
     return nose.value_or(usual_nose);
 }
 
 /// As the tool table counts: of G41.1 L, of the tool that D names, or of the tool in use.
-int table_nose_of(Run& run, double radius) {
+int table_nose_of(Reckoning& run, double radius) {
     if (run.modal.compensation_orientation >= 0) return run.modal.compensation_orientation;
     if (run.tool.data == nullptr) return 0;
     const std::optional<int> nose = table_orientation(*run.tool.data);
@@ -77,7 +77,7 @@ int table_nose_of(Run& run, double radius) {
 }
 
 /// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
-path::Setting held_move_setting(Run& run, double radius) {
+path::Setting held_move_setting(Reckoning& run, double radius) {
     path::Setting s = path::held_move_preset(length_unit(run.modal));
     if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
@@ -93,13 +93,13 @@ path::Setting held_move_setting(Run& run, double radius) {
 
 namespace {
 
-std::string active_edge(const Run& run) {
+std::string active_edge(const Reckoning& run) {
     if (run.tool.number == cl::unknown_tool) return "this tool";
     return "tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge);
 }
 
 /// Compensation that changes nothing is said: no radius, none that is known, or none at all.
-void say_missing_radius(Run& run, const std::optional<double>& radius) {
+void say_missing_radius(Reckoning& run, const std::optional<double>& radius) {
     const shop::Tool* tool = run.tool.data;
     const bool turning =
         tool != nullptr && (tool->kind == shop::ToolKind::turning || tool->kind == shop::ToolKind::groove);
@@ -119,14 +119,14 @@ void say_missing_radius(Run& run, const std::optional<double>& radius) {
 }
 
 /// Radius that compensation works with, mm; nothing where it is not known or the edge has none.
-std::optional<double> radius_in_force(const Run& run) {
+std::optional<double> radius_in_force(const Reckoning& run) {
     if (!std::isnan(run.modal.compensation_radius)) return run.modal.compensation_radius;
     if (run.tool.data == nullptr || run.tool.edge == 0) return std::nullopt;
     return compensation_radius(*run.tool.data);
 }
 
 /// OFFN: the contour stands that much off. Beyond the middle of the tool the side would turn round.
-void add_allowance(Run& run, path::Setting& s) {
+void add_allowance(Reckoning& run, path::Setting& s) {
     const double more = run.modal.contour_allowance;
     if (more == 0) return;
     if (s.radius + more >= 0) {
@@ -143,7 +143,7 @@ void add_allowance(Run& run, path::Setting& s) {
 
 }  // namespace
 
-path::Setting compensation_setting(Run& run) {
+path::Setting compensation_setting(Moving& run) {
     path::Setting s;
     // The way off goes round the contour's end as the way on goes round its start.
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;

@@ -53,7 +53,7 @@ void add_edge(geom::Contour& c, const path::Element& e, const Captured& from, Co
 }
 
 /// The first element only leads to the contour, and nothing comes behind the last one.
-void say_loose_corner(Run& run, const Captured& c, const char* where) {
+void say_loose_corner(Saying& run, const Captured& c, const char* where) {
     if (c.corner.kind == path::CornerKind::none || c.corner.modal) return;
     unchecked(run, codes::value_range, c.where,
               std::string("a contour cannot ") + where + " with a chamfer or rounding: it is left out",
@@ -62,7 +62,7 @@ void say_loose_corner(Run& run, const Captured& c, const char* where) {
 
 }  // namespace
 
-geom::Contour contour_of(Run& run, const std::vector<Captured>& all, ContourElements& elements) {
+geom::Contour contour_of(Reckoning& run, const std::vector<Captured>& all, ContourElements& elements) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Contour contour;
     contour.closed = false;
@@ -108,7 +108,7 @@ int side_of(const std::vector<Captured>& all) {
 }
 
 /// Which side counts where it changes is not documented.
-void say_other_side(Run& run, const std::vector<Captured>& all, int side) {
+void say_other_side(Saying& run, const std::vector<Captured>& all, int side) {
     for (const Captured& c : all)
         if (c.compensation != Modal::compensation_off && (c.compensation == Modal::compensation_left) != (side > 0))
             return unchecked(run, codes::unsupported, c.where,
@@ -116,7 +116,7 @@ void say_other_side(Run& run, const std::vector<Captured>& all, int side) {
                              "write RL or RR at the beginning of the contour alone");
 }
 
-double radius_of_tool(const Run& run, const cycles::Demand& d, cl::CycleRole role) {
+double radius_of_tool(const Reckoning& run, const cycles::Demand& d, cl::CycleRole role) {
     const auto number = d.find(role);
     if (!number || *number == 0) return cycles::unknown;
     for (const shop::Tool& t : run.tools)
@@ -131,7 +131,7 @@ struct Label {
 };
 
 /// False after a complaint.
-bool read_labels(Run& run, std::vector<Label>& labels, ContourElements& elements) {
+bool read_labels(Cycling& run, std::vector<Label>& labels, ContourElements& elements) {
     if (run.contour_unit == nullptr || run.contour_labels.empty()) {
         alarm(run, codes::missing_label, run.here(), "no contour is defined for this cycle",
               "name its labels with CYCL DEF 14 before the call");
@@ -139,7 +139,7 @@ bool read_labels(Run& run, std::vector<Label>& labels, ContourElements& elements
     }
     const std::vector<std::string> names = run.contour_labels;
     for (const std::string& name : names) {
-        const auto all = elements_of_label(run, *run.contour_unit, name).said(run);
+        const auto all = run.onward->label(*run.contour_unit, name).said(run);
         if (!all) {
             alarm(run, codes::missing_label, run.here(),
                   "the contour label " + name + " of CYCL DEF 14 is missing or does not end");
@@ -157,7 +157,7 @@ bool read_labels(Run& run, std::vector<Label>& labels, ContourElements& elements
     return true;
 }
 
-bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
+bool combine(Saying& run, const std::vector<Label>& labels, geom::Region& area) {
     std::vector<cycles::ProgrammedContour> parts;
     for (const Label& l : labels) {
         const auto is = cycles::classify(l.contour, l.side);
@@ -179,7 +179,7 @@ bool combine(Run& run, const std::vector<Label>& labels, geom::Region& area) {
 namespace {
 
 /// What the labels of CYCL DEF 14 say.
-std::optional<cycles::ContourTask> labelled_task(Run& run, bool train, ContourElements& elements) {
+std::optional<cycles::ContourTask> labelled_task(Cycling& run, bool train, ContourElements& elements) {
     std::vector<Label> labels;
     if (!read_labels(run, labels, elements)) return std::nullopt;
     cycles::ContourTask task;
@@ -195,7 +195,7 @@ std::optional<cycles::ContourTask> labelled_task(Run& run, bool train, ContourEl
 
 }  // namespace
 
-std::optional<std::vector<ContourLayer>> contour_layers(Run& run, const cycles::Demand& demand,
+std::optional<std::vector<ContourLayer>> contour_layers(Cycling& run, const cycles::Demand& demand,
                                                         ContourElements& elements) {
     const bool train = demand.kind == cl::CycleKind::contour_train;
     std::optional<std::vector<ContourLayer>> layers;

@@ -25,15 +25,16 @@ struct ContourElement {
 };
 using ContourElements = std::vector<ContourElement>;
 /// Nothing after a complaint. `elements`: those of all contours are added.
-[[nodiscard]] std::optional<std::vector<ContourLayer>> contour_layers(Run&, const cycles::Demand&, ContourElements&);
+[[nodiscard]] std::optional<std::vector<ContourLayer>> contour_layers(Cycling&, const cycles::Demand&,
+                                                                      ContourElements&);
 /// Emits the steps of the cycle from `from` on (coordinates of the plane). Feed moves along an element come from its
 /// block, the others from the cycle's call.
-void emit_along(Run&, std::vector<cl::Step>&, const ContourElements&, geom::Vec3 from);
+void emit_along(Telling&, std::vector<cl::Step>&, const ContourElements&, geom::Vec3 from);
 
 /// The first element goes to the contour's start; the others are the contour, with their chamfers and roundings.
-[[nodiscard]] geom::Contour contour_of(Run&, const std::vector<Captured>& captured, ContourElements& elements);
+[[nodiscard]] geom::Contour contour_of(Reckoning&, const std::vector<Captured>& captured, ContourElements& elements);
 [[nodiscard]] bool is_known(const geom::Contour&);
 /// The areas that CONTOUR DEF, or DECLARE CONTOUR with formulas, say (contour_formula.cpp); nothing after a complaint.
-[[nodiscard]] std::optional<std::vector<ContourLayer>> chosen_layers(Run&, const cycles::Demand&, ContourElements&);
+[[nodiscard]] std::optional<std::vector<ContourLayer>> chosen_layers(Cycling&, const cycles::Demand&, ContourElements&);
 
 }  // namespace obrys::interp

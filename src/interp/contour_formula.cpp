@@ -22,7 +22,7 @@ namespace {
 
 constexpr std::size_t most_choices = 10'000;
 
-ContourChoice choice_of(Run& run, const ContourStatement& s) {
+ContourChoice choice_of(Reckoning& run, const ContourStatement& s) {
     ContourChoice c;
     c.statement = &s;
     c.unit = &run.unit();
@@ -42,7 +42,7 @@ ContourChoice choice_of(Run& run, const ContourStatement& s) {
 /// Reads contours of parts; a complaint makes it `failed`.
 class PartsOfFormula {
 public:
-    PartsOfFormula(Run& run, ContourElements& elements) : run_(run), elements_(elements) {}
+    PartsOfFormula(Moving& run, ContourElements& elements) : run_(run), elements_(elements) {}
 
     [[nodiscard]] bool failed() const { return failed_; }
     [[nodiscard]] Region area(const ContourChoice& c, std::size_t i) {
@@ -51,8 +51,7 @@ public:
         const bool label = p.label != program::no_expr;
         const Unit* unit = label ? c.unit : find_named_program(run_, name, p.where);
         if (unit == nullptr) return fail();
-        const auto elements =
-            (label ? elements_of_label(run_, *unit, name) : elements_of_program(run_, *unit)).said(run_);
+        const auto elements = (label ? run_.onward->label(*unit, name) : run_.onward->program(*unit)).said(run_);
         if (!elements) return alarm("is missing or does not end", label, name, p);
         const geom::Contour contour = contour_of(run_, *elements, elements_);
         if (!is_known(contour))
@@ -74,7 +73,7 @@ private:
         return fail();
     }
 
-    Run& run_;
+    Moving& run_;
     ContourElements& elements_;
     bool failed_ = false;
 };
@@ -109,7 +108,7 @@ ContourLayer layer_of(Region area, double surface, const Extent& e) {
 }
 
 /// The layers between all tops and bottoms; one of them where no contour has a depth of its own.
-std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice& c, const cycles::Demand& d,
+std::optional<std::vector<ContourLayer>> of_parts(Moving& run, const ContourChoice& c, const cycles::Demand& d,
                                                   ContourElements& elements) {
     PartsOfFormula parts(run, elements);
     const double floor = std::abs(d.get(cl::CycleRole::depth));
@@ -153,7 +152,7 @@ std::optional<std::vector<ContourLayer>> of_parts(Run& run, const ContourChoice&
 using Areas = std::map<std::uint32_t, Region>;
 
 /// Nothing after an alarm: a contour of the formula is not declared.
-std::optional<Region> of_formula(Run& run, const ContourStatement& s, const Areas& areas) {
+std::optional<Region> of_formula(Saying& run, const ContourStatement& s, const Areas& areas) {
     std::vector<Region> values;
     for (const program::ContourNode& n : s.nodes) {
         if (n.op != ContourOperator::contour) {
@@ -175,7 +174,7 @@ std::optional<Region> of_formula(Run& run, const ContourStatement& s, const Area
 }
 
 /// The contour is that of the last formula; where there is none, the one declared last.
-std::optional<Region> of_choices(Run& run, double floor, ContourElements& elements) {
+std::optional<Region> of_choices(Cycling& run, double floor, ContourElements& elements) {
     PartsOfFormula parts(run, elements);
     Areas areas;
     std::optional<std::uint32_t> declared, computed;
@@ -205,7 +204,7 @@ std::optional<Region> of_choices(Run& run, double floor, ContourElements& elemen
 
 }  // namespace
 
-void contour_statement(Run& run, const ContourStatement& s) {
+void contour_statement(Cycling& run, const ContourStatement& s) {
     auto& choices = run.contour_choices;
     const bool adds = s.kind == Kind::declaration || s.kind == Kind::formula;
     if (!adds || (!choices.empty() && choices.front().statement->kind == Kind::definition)) choices.clear();
@@ -219,7 +218,7 @@ void contour_statement(Run& run, const ContourStatement& s) {
     if (const Unit* unit = find_named_program(run, printed(name), s.where)) enter(run, *unit, nullptr, s.where);
 }
 
-std::optional<std::vector<ContourLayer>> chosen_layers(Run& run, const cycles::Demand& demand,
+std::optional<std::vector<ContourLayer>> chosen_layers(Cycling& run, const cycles::Demand& demand,
                                                        ContourElements& elements) {
     const ContourChoice c = run.contour_choices.front();
     std::optional<std::vector<ContourLayer>> layers;

@@ -22,7 +22,7 @@ using program::StatementKind;
 namespace {
 
 /// The word of the block with this code; the block where it has none.
-base::Span place_of(const Run& run, Code code) {
+base::Span place_of(const Reckoning& run, Code code) {
     const Unit& unit = run.unit();
     const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
     if (run.statement->kind == StatementKind::block || run.statement->kind == StatementKind::special)
@@ -31,22 +31,22 @@ base::Span place_of(const Run& run, Code code) {
     return run.here();
 }
 
-std::string text_at(const Run& run, const base::Span& where) {
+std::string text_at(const Saying& run, const base::Span& where) {
     return std::string(base::trim(run.env.sources.text(where)));
 }
 
-void foreign(Run& run, const base::Span& at, const std::string& why) {
+void foreign(Saying& run, const base::Span& at, const std::string& why) {
     const base::Span where = text_at(run, at).empty() ? run.here() : at;
     unchecked(run, codes::unsupported, where, text_at(run, where) + " has no place in a contour: " + why,
               "take it out of the blocks that hold the contour");
 }
 
-void has_no_effect(Run& run, const std::string& name, const base::Span& where) {
+void has_no_effect(Saying& run, const std::string& name, const base::Span& where) {
     assume(run, where, name + " has no effect in a contour: the control passes over feeds and M functions");
 }
 
 /// M97, M98, M120 …: modes of the path that is made of the contour.
-void modes_in_milled(Run& run) {
+void modes_in_milled(Reckoning& run) {
     const Unit& unit = run.unit();
     const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
     for (std::uint32_t i = run.statement->first; i < unit.words_end(index); ++i) {
@@ -63,7 +63,7 @@ bool is_harmless(int m) {
     return std::find(known.begin(), known.end(), m) != known.end();
 }
 
-void functions_in_milled(Run& run) {
+void functions_in_milled(Moving& run) {
     for (const int m : run.block.m) {
         const std::string name = "M" + std::to_string(m);
         const base::Span where = place_of(run, Code::m);
@@ -74,7 +74,7 @@ void functions_in_milled(Run& run) {
     }
 }
 
-void words_in_milled(Run& run) {
+void words_in_milled(Moving& run) {
     const BlockWords& b = run.block;
     const auto say_code = [&](Code c, const std::string& why) {
         if (b.has(c)) foreign(run, place_of(run, c), why);
@@ -98,7 +98,7 @@ void words_in_milled(Run& run) {
 }
 
 /// What acts where the contour is finished, and not while a cycle cuts down to it.
-void words_in_turned(Run& run) {
+void words_in_turned(Moving& run) {
     const std::string only = run.look == Look::turned_blocks ? " acts only where the contour is finished"
                                                              : " has no effect in the contour of a turning cycle";
     if (run.look == Look::turned_blocks)
@@ -116,12 +116,12 @@ bool is_transformation(CycleKind k) {
 
 }  // namespace
 
-void say_foreign_words(Run& run) {
+void say_foreign_words(Moving& run) {
     if (run.look == Look::milled_contour) return words_in_milled(run);
     if (run.look == Look::turned_subprogram || run.look == Look::turned_blocks) words_in_turned(run);
 }
 
-bool say_foreign_statement(Run& run, const Statement& s) {
+bool say_foreign_statement(Saying& run, const Statement& s) {
     if (run.look != Look::milled_contour) return false;
     const Unit& unit = run.unit();
     // Of those that have an entry; LBL 0 has no word at all.

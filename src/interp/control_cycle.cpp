@@ -15,13 +15,13 @@ using program::ControlCycle;
 
 namespace {
 
-void not_run(Run& run, const Call& call, const std::string& why) {
+void not_run(Saying& run, const Call& call, const std::string& why) {
     const program::Problem& p = run.unit().problems[call.problem];
     unchecked(run, codes::unsupported, p.where, p.text + " is not run: " + why);
 }
 
 /// An argument as a number; 0 where it is left out, nothing where it is none or not known.
-std::optional<double> plain(Run& run, const Call& call, std::size_t i) {
+std::optional<double> plain(Reckoning& run, const Call& call, std::size_t i) {
     if (i >= call.arguments.size() || call.arguments[i] == program::no_expr) return 0;
     const Value v = evaluate(run, call.arguments[i]);
     if (run.stopped || !v.is_number() || std::isnan(v.number)) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<double> plain(Run& run, const Call& call, std::size_t i) {
 }
 
 /// CYCLE832(tolerance, mode, …): nothing moves. Without arguments and with tolerance 0 it is switched off.
-void path_tolerance(Run& run, const Call& call) {
+void path_tolerance(Reckoning& run, const Call& call) {
     const auto tolerance = plain(run, call, 0);
     if (run.stopped) return;
     if (!tolerance) return unchecked(run, codes::unknown_value, call.where, "the tolerance of this cycle is not known");
@@ -39,7 +39,7 @@ void path_tolerance(Run& run, const Call& call) {
 
 /// CYCLE800(_FR,_TC,_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR,…) as far as it turns and shifts nothing: it ends
 /// the tilted plane and, where it does not add to it (_ST), the programmed frame.
-void swivel(Run& run, const Call& call) {
+void swivel(Telling& run, const Call& call) {
     constexpr std::size_t retract = 0, status = 2, first = 4, last = 12;
     const std::string_view why = "it tilts the working plane";
     for (std::size_t i = first; i <= last && !run.stopped; ++i)
@@ -57,7 +57,7 @@ void swivel(Run& run, const Call& call) {
 
 }  // namespace
 
-void control_cycle(Run& run, const Call& call) {
+void control_cycle(Calling& run, const Call& call) {
     if (call.kind == program::CallKind::modal) run.modal_call = {};
     switch (call.control_cycle) {
         case ControlCycle::path_tolerance: return path_tolerance(run, call);

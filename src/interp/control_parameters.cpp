@@ -11,7 +11,7 @@ using program::ControlValue;
 
 namespace {
 
-bool no_tool(const Run& run) {  // TOOL CALL 0
+bool no_tool(const Reckoning& run) {  // TOOL CALL 0
     return run.tool.data == nullptr && run.tool.number == 0 && run.tool.name.empty() && run.tool.edge != 0;
 }
 
@@ -20,7 +20,7 @@ double spindle_state(const SpindleState& s) {
     return s.last == 0 ? unknown_number : s.last > 0 ? 2 : 3;  // which sense it had before the program: not known
 }
 
-void write(Run& run, const program::ControlParameter& p, double v) {
+void write(Reckoning& run, const program::ControlParameter& p, double v) {
     const bool of_machine = p.value == ControlValue::pocket_overlap || p.value == ControlValue::probed;
     if (of_machine && p.number < run.parameters.count() && run.parameters.is_set(p.number)) return;  // by the job
     if (p.number < run.parameters.count() && run.parameter_overridden[p.number] == 0)
@@ -39,23 +39,23 @@ std::optional<double> mill_radius(const shop::Tool& t) {
     return t.radius > 0 || t.has_no_radius ? std::optional(t.radius + t.delta_radius) : std::nullopt;
 }
 
-double active_radius(const Run& run) {
+double active_radius(const Reckoning& run) {
     const auto own = run.tool.data == nullptr ? std::nullopt : mill_radius(*run.tool.data);
     return own.value_or(no_tool(run) ? 0 : unknown_number) + run.tool.delta_radius;
 }
 
-double active_length(const Run& run) {
+double active_length(const Reckoning& run) {
     const shop::Tool* t = run.tool.data;
     const double own = t != nullptr ? t->length + t->delta_length : no_tool(run) ? 0 : unknown_number;
     return own + run.tool.delta_length;
 }
 
-double gauge_length(const Run& run) {
+double gauge_length(const Reckoning& run) {
     const shop::Tool* t = run.tool.data;
     return t != nullptr && t->length == 0 ? unknown_number : active_length(run);
 }
 
-double control_value(const Run& run, ControlValue v) {
+double control_value(const Reckoning& run, ControlValue v) {
     switch (v) {
         case ControlValue::tool_radius: return active_radius(run);
         case ControlValue::tool_length: return gauge_length(run);
@@ -76,19 +76,19 @@ double control_value(const Run& run, ControlValue v) {
 namespace {
 
 /// Parameters hold lengths in the program's unit.
-double value_of(const Run& run, ControlValue v) {
+double value_of(const Reckoning& run, ControlValue v) {
     const bool length = v == ControlValue::tool_radius || v == ControlValue::tool_length;
     return control_value(run, v) / (length ? length_unit(run.modal) : 1);
 }
 
 }  // namespace
 
-void control_sets(Run& run, std::initializer_list<ControlValue> which) {
+void control_sets(Reckoning& run, std::initializer_list<ControlValue> which) {
     for (const program::ControlParameter& p : run.traits->set_by_control)
         if (std::find(which.begin(), which.end(), p.value) != which.end()) write(run, p, value_of(run, p.value));
 }
 
-void control_sets_all(Run& run) {
+void control_sets_all(Reckoning& run) {
     for (const program::ControlParameter& p : run.traits->set_by_control) {
         const double v = value_of(run, p.value);
         if (std::isnan(v) && p.number < run.parameters.count() && run.parameters.is_set(p.number))

@@ -22,7 +22,7 @@ using program::CycleUse;
 namespace {
 
 /// A cycle's own value is no setting of the program, even where one parameter serves both (Q10 of CYCL DEF 25).
-void define_parameter(Run& run, const CycleDefinition& d, const CycleSetting& s, double v) {
+void define_parameter(Reckoning& run, const CycleDefinition& d, const CycleSetting& s, double v) {
     const std::uint32_t n = s.parameter;
     if (run.parameter_overridden[n] != 0 && v != run.parameter_override[n])
         assume(run, s.where,
@@ -32,7 +32,7 @@ void define_parameter(Run& run, const CycleDefinition& d, const CycleSetting& s,
 }
 
 /// The definition's assignments: a named parameter is set for everybody, as the control does it.
-ActiveCycle take(Run& run, const CycleDefinition& d) {
+ActiveCycle take(Reckoning& run, const CycleDefinition& d) {
     ActiveCycle c;
     c.definition = &d;
     c.unit = &run.unit();
@@ -47,7 +47,7 @@ ActiveCycle take(Run& run, const CycleDefinition& d) {
     return c;
 }
 
-void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
+void add_values(const Reckoning& run, const ActiveCycle& c, cycles::Demand& d) {
     if (c.definition == nullptr) return;
     const double unit = length_unit(run.modal);
     for (std::size_t i = 0; i < c.values.size(); ++i) {
@@ -62,7 +62,7 @@ void add_values(const Run& run, const ActiveCycle& c, cycles::Demand& d) {
 }  // namespace
 
 /// A contour cycle takes what the cycle of its data says, and then its own values.
-cycles::Demand demand_of(const Run& run, const ActiveCycle& c, const CycleValues& instead) {
+cycles::Demand demand_of(const Cycling& run, const ActiveCycle& c, const CycleValues& instead) {
     cycles::Demand d;
     d.kind = c.definition->kind;
     if (d.kind == cl::CycleKind::contour_train)
@@ -86,7 +86,7 @@ geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a) {
     return v;
 }
 
-cycles::Situation situation_of(const Run& run) {
+cycles::Situation situation_of(const Reckoning& run) {
     cycles::Situation s;
     s.at = into_plane(run.programmed_position, plane_axes(run.modal.plane));
     s.tool_radius = active_radius(run);
@@ -130,7 +130,7 @@ geom::Vec3 end_of(const std::vector<cl::Step>& steps, const geom::Vec3& otherwis
 }
 
 /// The steps of the cycle; nothing after a complaint.
-std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const CycleValues& instead,
+std::optional<cycles::Expansion> expansion(Cycling& run, const ActiveCycle& c, const CycleValues& instead,
                                            ContourElements& elements) {
     const cycles::Demand demand = demand_of(run, c, instead);
     if (!cycles::is_contour_cycle(demand.kind)) return cycles::expand(demand, situation_of(run));
@@ -156,7 +156,7 @@ std::optional<cycles::Expansion> expansion(Run& run, const ActiveCycle& c, const
 
 }  // namespace
 
-void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>& complaints) {
+void report(Saying& run, const ActiveCycle& c, const std::vector<cycles::Complaint>& complaints) {
     for (const cycles::Complaint& k : complaints) {
         base::Span where = run.here();
         for (const CycleSetting& s : c.definition->settings)
@@ -166,7 +166,7 @@ void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>
                            where,
                            c.definition->name + ": " + k.text,
                            k.remedy,
-                           run.stacks.sites(run.top().stack),
+                           run.stacks->sites(run.top().stack),
                            {}};
         if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
         raise(run, std::move(d));
@@ -176,7 +176,7 @@ void report(Run& run, const ActiveCycle& c, const std::vector<cycles::Complaint>
 namespace {
 
 /// The cause is something that is not known; the complaints that name it.
-bool not_run_for_unknown(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+bool not_run_for_unknown(Saying& run, const ActiveCycle& c, const cycles::Expansion& e) {
     if (e.simulated || !e.assumption.empty() || e.complaints.empty()) return false;
     const bool all = std::all_of(e.complaints.begin(), e.complaints.end(), [](const cycles::Complaint& k) {
         return !k.fatal && !k.role && k.text.find("not known") != std::string::npos;
@@ -188,7 +188,7 @@ bool not_run_for_unknown(Run& run, const ActiveCycle& c, const cycles::Expansion
     return true;
 }
 
-void report(Run& run, const ActiveCycle& c, const cycles::Expansion& e) {
+void report(Saying& run, const ActiveCycle& c, const cycles::Expansion& e) {
     if (not_run_for_unknown(run, c, e)) return;
     report(run, c, e.complaints);
     if (!e.assumption.empty()) assume(run, run.here(), c.definition->name + ": " + std::string(e.assumption));
@@ -213,7 +213,7 @@ path::Element plane_arc(const cl::Arc& arc) {
 
 }  // namespace
 
-void emit_step(Run& run, cl::Step step) {
+void emit_step(Telling& run, cl::Step step) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const auto place = [&](const geom::Vec3& p) {
         run.programmed_position = out_of_plane(p, a);
@@ -234,7 +234,7 @@ void emit_step(Run& run, cl::Step step) {
     emit(run, std::move(step));
 }
 
-void path_step(Run& run, cl::Step step) {
+void path_step(Moving& run, cl::Step step) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     if (run.modal.compensation == Modal::compensation_off) return emit_step(run, std::move(step));
     if (const auto* linear = std::get_if<cl::Linear>(&step))
@@ -248,14 +248,14 @@ void path_step(Run& run, cl::Step step) {
     plane_element(run, e, out_of_plane(arc->to, a), false);
 }
 
-void emit_steps(Run& run, std::vector<cl::Step>& steps) {
+void emit_steps(Telling& run, std::vector<cl::Step>& steps) {
     for (cl::Step& step : steps)
         if (!run.stopped) emit_step(run, std::move(step));
 }
 
 namespace {
 
-void call_program_of(Run& run, const ActiveCycle& c) {
+void call_program_of(Calling& run, const ActiveCycle& c) {
     if (c.texts.empty()) return;
     program::Call call;
     call.name = run.env.names.id(c.texts.front());
@@ -265,7 +265,7 @@ void call_program_of(Run& run, const ActiveCycle& c) {
 
 }  // namespace
 
-void define_cycle(Run& run, const CycleDefinition& d) {
+void define_cycle(Cycling& run, const CycleDefinition& d) {
     if (d.kind == cl::CycleKind::global_values) return set_globally(run, d);
     ActiveCycle c = take(run, d);
     if (run.stopped) return;
@@ -283,9 +283,9 @@ void define_cycle(Run& run, const CycleDefinition& d) {
         unchecked(run, codes::unsupported, d.where, d.name + " is not run");
 }
 
-void call_cycle(Run& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
+void call_cycle(Cycling& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
 
-void call_cycle(Run& run, const CycleValues& instead, const Calling& calling) {
+void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calling) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
               "define one with CYCL DEF before the call");

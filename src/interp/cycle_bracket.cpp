@@ -12,13 +12,13 @@ namespace obrys::interp {
 
 namespace {
 
-std::string parameter_name(const Run& run, const program::CycleSetting& s) {
+std::string parameter_name(const Saying& run, const program::CycleSetting& s) {
     if (s.parameter != program::no_target) return program::parameter_name(*run.unit().traits, s.parameter);
     return std::string(cycles::name(s.role));
 }
 
 /// (u, v, w) of the working plane -> frame of the stream.
-geom::Frame plane_frame(const Run& run) {
+geom::Frame plane_frame(const Reckoning& run) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     geom::Frame in_program;
     in_program.linear = {};
@@ -42,7 +42,7 @@ CycleValues said_once(const cycles::Demand& demand) {
 
 }  // namespace
 
-void begin_bracket(Run& run, const cycles::Demand& demand, std::string_view name, const Calling& calling,
+void begin_bracket(Telling& run, const cycles::Demand& demand, std::string_view name, const WayOfCall& calling,
                    std::vector<cl::CycleParameter> written) {
     emit_frame(run);
     cl::Cycle cycle{demand.kind, plane_frame(run), said_once(demand), std::string(name), std::move(written)};
@@ -53,13 +53,13 @@ void begin_bracket(Run& run, const cycles::Demand& demand, std::string_view name
     emit(run, cl::CycleBegin{run.told.cycle, place, calling.call, calling.pass, calling.passes});
 }
 
-void end_bracket(Run& run) {
+void end_bracket(Telling& run) {
     if (run.told.open_cycles == 0 || run.capture != nullptr) return;
     --run.told.open_cycles;
     emit(run, cl::CycleEnd{});
 }
 
-void begin_cycle(Run& run, const ActiveCycle& c, const CycleValues& instead, const Calling& calling) {
+void begin_cycle(Cycling& run, const ActiveCycle& c, const CycleValues& instead, const WayOfCall& calling) {
     std::vector<cl::CycleParameter> written;
     for (std::size_t i = 0; i < c.values.size(); ++i)
         written.push_back({parameter_name(run, c.definition->settings[i]), value_at_call(run, c, i)});

@@ -1,5 +1,5 @@
 /// Where cycles are called besides the place of the tool: CYCL CALL POS, CYCL CALL PAT, cycles 220 and 221.
-/// Source: HEIDENHAIN iTNC 530 cycle programming, "Calling cycles", "Point tables", "Point patterns"; of it the order
+/// Source: HEIDENHAIN iTNC 530 cycle programming, "WayOfCall cycles", "Point tables", "Point patterns"; of it the order
 /// of the ways and the clearance height between points are from memory.
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "cycles/contour/contour.hpp"
 #include "cycles/pattern.hpp"
+#include "interp/capture.hpp"
 #include "interp/cycle_call.hpp"
 
 namespace obrys::interp {
@@ -39,7 +40,7 @@ Heights heights_of(const cycles::Demand& d) {
 /// The tool's way between calls, in the working plane's coordinates.
 class Way {
 public:
-    Way(Run& run, bool rapid) : run_(run), axes_(plane_axes(run.modal.plane)), rapid_(rapid) {}
+    Way(Moving& run, bool rapid) : run_(run), axes_(plane_axes(run.modal.plane)), rapid_(rapid) {}
 
     [[nodiscard]] Vec3 at() const { return into_plane(run_.programmed_position, axes_); }
     void to(const Vec3& p) {
@@ -77,7 +78,7 @@ private:
         emit_steps(run_, steps);
     }
 
-    Run& run_;
+    Moving& run_;
     PlaneAxes axes_;
     bool rapid_;
 };
@@ -90,7 +91,7 @@ bool has_own_place(const cycles::Demand& d) {
 }
 
 /// Calls the cycle with the frame shifted; a program that it calls is run to its end.
-void call_shifted(Run& run, const Vec3& by, const CycleValues& instead, const Calling& calling) {
+void call_shifted(Cycling& run, const Vec3& by, const CycleValues& instead, const WayOfCall& calling) {
     const Vec3 at = run.programmed_position;
     const bool shifted = by.x != 0 || by.y != 0 || by.z != 0;
     if (shifted) shift_for_call(run, by);
@@ -98,14 +99,16 @@ void call_shifted(Run& run, const Vec3& by, const CycleValues& instead, const Ca
     const std::size_t depth = run.calls.size();
     const program::Statement* statement = run.statement;
     const BlockWords block = run.block;
+    const bool complained = run.complained;
     const ActiveCycle cycle = run.cycle;
     call_cycle(run, instead, calling);
     const bool program = run.calls.size() > depth;
-    while (!run.stopped && run.calls.size() > depth) step(run);
+    while (!run.stopped && run.calls.size() > depth) run.onward->step();
     if (run.stopped) return;
     if (program) {
         run.statement = statement;
         run.block = block;
+        run.complained = complained;
         run.cycle = cycle;
     }
     const Vec3 end = run.programmed_position + by;
@@ -114,12 +117,13 @@ void call_shifted(Run& run, const Vec3& by, const CycleValues& instead, const Ca
 }
 
 /// Calls the cycle at `place` (u, v, and the shift of its surface), where the tool stands already.
-void call_at(Run& run, const cycles::Demand& d, Vec3 place, const Calling& calling, const CycleValues& instead = {}) {
+void call_at(Cycling& run, const cycles::Demand& d, Vec3 place, const WayOfCall& calling,
+             const CycleValues& instead = {}) {
     if (!has_own_place(d)) place.x = place.y = 0;
     call_shifted(run, out_of_plane(place, plane_axes(run.modal.plane)), instead, calling);
 }
 
-bool cycle_is_defined(Run& run) {
+bool cycle_is_defined(Cycling& run) {
     if (run.cycle.definition != nullptr) return true;
     alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
           "define one with CYCL DEF before the call");
@@ -127,7 +131,7 @@ bool cycle_is_defined(Run& run) {
 }
 
 /// The shift of the surface does nothing to a cycle that counts from where the tool stands.
-void require_surface(Run& run, const cycles::Demand& d, double z) {
+void require_surface(Cycling& run, const cycles::Demand& d, double z) {
     if (z == 0 || d.find(Role::surface) || d.kind == CycleKind::program_call) return;
     unchecked(run, codes::unsupported, run.here(),
               run.cycle.definition->name + " has no surface coordinate: the Z of the pattern's points is left out");
@@ -135,7 +139,7 @@ void require_surface(Run& run, const cycles::Demand& d, double z) {
 
 }  // namespace
 
-void run_point_cycle(Run& run, const ActiveCycle& c) {
+void run_point_cycle(Cycling& run, const ActiveCycle& c) {
     if (!cycle_is_defined(run)) return;
     const cycles::Demand points = demand_of(run, c), cycle = demand_of(run, run.cycle);
     const cycles::Positions p = cycles::pattern_positions(points);
@@ -163,7 +167,7 @@ void run_point_cycle(Run& run, const ActiveCycle& c) {
     if (!run.stopped) end_bracket(run);
 }
 
-void call_cycle_at_position(Run& run) {
+void call_cycle_at_position(Cycling& run) {
     if (!cycle_is_defined(run)) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const cycles::Demand d = demand_of(run, run.cycle);
@@ -184,7 +188,7 @@ void call_cycle_at_position(Run& run) {
     call_at(run, d, place, {});
 }
 
-void call_cycle_at_pattern(Run& run) {
+void call_cycle_at_pattern(Cycling& run) {
     if (!cycle_is_defined(run)) return;
     if (!run.pattern.defined) {
         alarm(run, codes::missing_label, run.here(), "no points are defined for CYCL CALL PAT",

@@ -15,7 +15,7 @@ using program::SettingGiven;
 namespace {
 
 /// What the words FMAX, FAUTO, FU and FZ stand for now, in the program's unit of feed; `value`: what follows them.
-double feed_of_word(const Run& run, SettingGiven given, double value) {
+double feed_of_word(const Reckoning& run, SettingGiven given, double value) {
     const double feed_unit = run.modal.inch_feed ? run.unit().traits->inch_feed : 1;
     const double per_rev = value * length_unit(run.modal) * run.spindle.speed / feed_unit;
     switch (given) {
@@ -28,7 +28,7 @@ double feed_of_word(const Run& run, SettingGiven given, double value) {
     }
 }
 
-double global_value(Run& run, const CycleSetting& s) {
+double global_value(Reckoning& run, const CycleSetting& s) {
     if (const auto found = run.global_values.find(s.parameter); found != run.global_values.end()) return found->second;
     unchecked(run, codes::unknown_value, s.where, "PREDEF: no GLOBAL DEF before this cycle gives this parameter",
               "program GLOBAL DEF with it at the beginning, or write the value here");
@@ -37,11 +37,11 @@ double global_value(Run& run, const CycleSetting& s) {
 
 }  // namespace
 
-double value_at_definition(Run& run, const CycleSetting& s, double written) {
+double value_at_definition(Reckoning& run, const CycleSetting& s, double written) {
     return s.given == SettingGiven::set_globally ? global_value(run, s) : feed_of_word(run, s.given, written);
 }
 
-double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
+double value_at_call(const Reckoning& run, const ActiveCycle& c, std::size_t i) {
     const CycleSetting& s = c.definition->settings[i];
     if (s.parameter == program::no_target) return c.values[i];
     const double now = run.parameters.get(s.parameter), then = c.values[i];
@@ -50,11 +50,11 @@ double value_at_call(const Run& run, const ActiveCycle& c, std::size_t i) {
     return by_word && untouched ? feed_of_word(run, s.given, c.written[i]) : now;
 }
 
-void set_globally(Run& run, const CycleDefinition& d) {
+void set_globally(Reckoning& run, const CycleDefinition& d) {
     for (const CycleSetting& s : d.settings) run.global_values[s.parameter] = number(run, s.value);
 }
 
-void say_unknown_words(Run& run, const ActiveCycle& c) {
+void say_unknown_words(Reckoning& run, const ActiveCycle& c) {
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
         if (s.given == SettingGiven::tool_feed && !(run.tool.feed > 0))

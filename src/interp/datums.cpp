@@ -18,7 +18,7 @@ constexpr double highest_preset = 99'999;
 
 bool is_row(double n, double most) { return n >= 0 && n <= most && n == std::floor(n); }
 
-const DatumTable* datum_table(Run& run, const program::CycleDefinition& c) {
+const DatumTable* datum_table(Reckoning& run, const program::CycleDefinition& c) {
     const DatumTable* table = run.env.files == nullptr ? nullptr : run.env.files->datum_table(run.datum_table);
     if (table == nullptr)
         unchecked(run, codes::unknown_value, c.where,
@@ -30,7 +30,7 @@ const DatumTable* datum_table(Run& run, const program::CycleDefinition& c) {
 
 }  // namespace
 
-void shift_by_table(Run& run, const program::CycleDefinition& c, double n) {
+void shift_by_table(Telling& run, const program::CycleDefinition& c, double n) {
     const DatumTable* table = datum_table(run, c);
     if (table == nullptr) return;
     const auto row =
@@ -57,7 +57,7 @@ void shift_by_table(Run& run, const program::CycleDefinition& c, double n) {
     set_shift(run, by);
 }
 
-void select_preset(Run& run, const program::CycleDefinition& c, double n) {
+void select_preset(Telling& run, const program::CycleDefinition& c, double n) {
     if (!is_row(n, highest_preset)) {
         alarm(run, codes::value_range, c.where, c.name + " needs the number of a preset");
         return;
@@ -77,7 +77,7 @@ void select_preset(Run& run, const program::CycleDefinition& c, double n) {
     keep_plane_alone(run);
 }
 
-void set_own_datum(Run& run, const program::ProcedureCall& p) {
+void set_own_datum(Telling& run, const program::ProcedureCall& p) {
     const std::string axis = printed(evaluate(run, p.arguments[0]));
     const double unit = length_unit(run.modal);
     const double at = number(run, p.arguments[1]) * unit, becomes = number(run, p.arguments[2]) * unit;

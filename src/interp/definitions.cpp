@@ -18,7 +18,7 @@ constexpr std::size_t largest_array = 10'000'000;
 double known_or(double v, double instead) { return std::isnan(v) ? instead : v; }
 
 /// A value that [set] or --set puts in the place of the constant a definition begins with.
-void replace_initial(Run& run, Array& array, const program::Variable& v) {
+void replace_initial(Reckoning& run, Array& array, const program::Variable& v) {
     const auto replaced = run.overrides_by_name.find(v.name);
     if (replaced == run.overrides_by_name.end() || array.size() != 1 || array.type > Type::real) return;
     if (v.values.empty() || v.values[0] == program::no_expr || !is_constant(run.unit(), v.values[0])) return;
@@ -29,7 +29,7 @@ void replace_initial(Run& run, Array& array, const program::Variable& v) {
     run.overrides_met.insert(run.env.names.text(v.name));
 }
 
-void initialise(Run& run, Array& array, const program::Variable& v) {
+void initialise(Reckoning& run, Array& array, const program::Variable& v) {
     const Unit& unit = run.unit();
     const bool repeat = v.initialiser == program::Initialiser::repeat;
     const std::size_t n = repeat ? array.size() : std::min(array.size(), v.values.size());
@@ -41,7 +41,7 @@ void initialise(Run& run, Array& array, const program::Variable& v) {
 }
 
 /// Global user data keep what they held: not known where the definition gives no value, else perhaps overwritten.
-void allocate(Run& run, Array& array, const program::Variable& v, bool global) {
+void allocate(Reckoning& run, Array& array, const program::Variable& v, bool global) {
     if (!global) {
         array.allocate();
         return initialise(run, array, v);
@@ -61,7 +61,7 @@ namespace {
 constexpr double usual_text = 200, longest_text = 10'000;
 
 /// n of STRING[n]; nothing behind an alarm.
-std::optional<std::size_t> text_length(Run& run, const program::Define& d, const Unit& unit) {
+std::optional<std::size_t> text_length(Reckoning& run, const program::Define& d, const Unit& unit) {
     const double n = known_or(number(run, d.string_length), usual_text);
     if (run.stopped) return std::nullopt;
     if (const auto whole = base::whole<std::size_t>(n, 1, static_cast<std::size_t>(longest_text))) return whole;
@@ -82,7 +82,7 @@ bool is_run(const Unit& unit, std::uint32_t index) {
 
 }  // namespace
 
-void judge_place_of_definition(Run& run, const Unit& unit, std::uint32_t index) {
+void judge_place_of_definition(Saying& run, const Unit& unit, std::uint32_t index) {
     std::uint32_t first = 0;
     while (first < index && !is_run(unit, first)) ++first;
     if (first == index) return;
@@ -101,7 +101,7 @@ std::size_t elements_of(const Scope& scope) {
 }
 
 /// All arrays together hold no more than one may: a control has a few thousand kilobytes for them.
-bool fits(Run& run, double size, const base::Span& where) {
+bool fits(Saying& run, double size, const base::Span& where) {
     constexpr double small = 1000;  // not worth counting
     if (size <= small) return true;
     std::size_t sum = elements_of(run.globals);
@@ -117,7 +117,7 @@ bool fits(Run& run, double size, const base::Span& where) {
 
 }  // namespace
 
-void define(Run& run, const program::Define& d, Scope& scope, const Unit& unit) {
+void define(Reckoning& run, const program::Define& d, Scope& scope, const Unit& unit) {
     for (const program::Variable& v : d.variables) {
         const Binding* known = scope.find(v.name);
         if (known != nullptr && known->definition == &v) continue;  // a jump back led past its DEF again

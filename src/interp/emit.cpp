@@ -11,7 +11,7 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-void emit(Run& run, cl::Step step) {
+void emit(Telling& run, cl::Step step) {
     if (run.capture != nullptr) return;
     run.record.step = std::move(step);
     run.record.from = run.along != nullptr ? run.along->where : run.here();
@@ -22,13 +22,13 @@ void emit(Run& run, cl::Step step) {
         send_plain(run, run.record);
 }
 
-void begin_part(Run& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {
+void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {
     emit(run, cl::PartBegin{kind, std::move(name), pass, passes});
 }
 
-void end_part(Run& run) { emit(run, cl::PartEnd{}); }
+void end_part(Telling& run) { emit(run, cl::PartEnd{}); }
 
-void flush_path(Run& run) {
+void flush_path(Telling& run) {
     if (run.capture == nullptr && run.path->active()) run.path->flush(run);
 }
 
@@ -41,7 +41,7 @@ cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool coun
     return axis;
 }
 
-geom::Vec3 stream_origin(const Run& run) {
+geom::Vec3 stream_origin(const Reckoning& run) {
     geom::Vec3 origin{unknown_number, unknown_number, unknown_number};
     const auto& known = run.env.machine.datums;
     if (const auto found = known.find(run.reference_datum); found != known.end())
@@ -55,7 +55,7 @@ geom::Vec3 stream_origin(const Run& run) {
     return origin;
 }
 
-geom::Vec3 selected_origin(const Run& run) {
+geom::Vec3 selected_origin(const Reckoning& run) {
     geom::Vec3 origin{unknown_number, unknown_number, unknown_number};
     if (!run.datum_known) return origin;
     for (int k = 0; k < 3 && keeps_offsets(run); ++k)
@@ -71,7 +71,7 @@ namespace {
 
 /// The job says where zero offsets lie, and that of the first move is none of them: the stock lies in one that it
 /// names.
-void say_foreign_datum(Run& run) {
+void say_foreign_datum(Reckoning& run) {
     const auto& known = run.env.machine.datums;
     const bool numbered = run.traits->datum.none_is_machine_zero && run.traits->datum.first == 0;
     if (keeps_offsets(run) ? is_datum_given(run) : !numbered) return;
@@ -98,7 +98,7 @@ bool same(const cl::FramePart& a, const cl::FramePart& b) {
 }
 
 /// The first zero is that in which the run reckons.
-void emit_datum(Run& run) {
+void emit_datum(Telling& run) {
     StreamFrame& told = run.told;
     if (!told.begun) {
         told.begun = true;
@@ -116,7 +116,7 @@ void emit_datum(Run& run) {
 
 }  // namespace
 
-void emit_frame(Run& run) {
+void emit_frame(Telling& run) {
     if (run.told.current) return;
     run.told.current = true;
     emit_datum(run);

@@ -18,7 +18,7 @@ namespace codes = base::codes;
 namespace {
 
 /// What a parameter holds; one that the control writes itself may hold what nobody knows.
-double held_value(Run& run, std::uint32_t n, const base::Span& where) {
+double held_value(Reckoning& run, std::uint32_t n, const base::Span& where) {
     const double v = run.parameters.get(n);
     if (std::isnan(v) && !run.parameters.is_assigned(n) && !run.traits->set_by_control.empty())
         unchecked(run, codes::unknown_value, where,
@@ -30,7 +30,7 @@ double held_value(Run& run, std::uint32_t n, const base::Span& where) {
 
 }  // namespace
 
-double parameter_value(Run& run, double index, const base::Span& where) {
+double parameter_value(Reckoning& run, double index, const base::Span& where) {
     if (std::isnan(index)) {
         unchecked(run, codes::unknown_value, where, "which parameter this is depends on a value that is not known");
         return index;
@@ -62,13 +62,13 @@ double parameter_value(Run& run, double index, const base::Span& where) {
 
 namespace {
 
-double parameter_value(Run& run, const Expr& e, double index) {
+double parameter_value(Reckoning& run, const Expr& e, double index) {
     return parameter_value(run, index, {run.unit().file, e.begin, e.end});
 }
 
 }  // namespace
 
-bool is_empty(Run& run, ExprId id) {
+bool is_empty(Reckoning& run, ExprId id) {
     if (!run.traits->empty_parameters || id == program::no_expr || run.stopped) return false;
     const Expr& e = run.unit().exprs[id];
     if (e.kind == ExprKind::qualified) return is_empty(run, e.a);
@@ -86,7 +86,7 @@ bool is_numeric(Operator op) {
     return op != Operator::concat && op != Operator::frame_chain && op != Operator::equal && op != Operator::not_equal;
 }
 
-double variable_number(Run& run, const Expr& e, ExprId id) {
+double variable_number(Reckoning& run, const Expr& e, ExprId id) {
     if (const Binding* b = find_variable(run, e.a);
         b != nullptr && e.count == 0 && b->array->type <= Type::real && b->array->held.empty())
         return b->array->numbers[b->offset];
@@ -97,7 +97,7 @@ double variable_number(Run& run, const Expr& e, ExprId id) {
     return 0;
 }
 
-double function_number(Run& run, const Expr& e, ExprId id) {
+double function_number(Reckoning& run, const Expr& e, ExprId id) {
     const auto f = static_cast<Function>(e.op);
     if (e.count == 1 && (f == Function::sin || f == Function::cos) && run.unit().children[e.b] != program::no_expr) {
         const double a = geom::radians(number(run, run.unit().children[e.b]));
@@ -112,7 +112,7 @@ double function_number(Run& run, const Expr& e, ExprId id) {
 
 }  // namespace
 
-double number(Run& run, ExprId id) {
+double number(Reckoning& run, ExprId id) {
     if (id == program::no_expr || run.stopped) return 0;
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
@@ -154,7 +154,7 @@ double number(Run& run, ExprId id) {
 namespace {
 
 /// Truth as a number: 0, not 0, or NaN where it is unknown. Strings are true when they hold something.
-double condition(Run& run, ExprId id) {
+double condition(Reckoning& run, ExprId id) {
     const Expr& e = run.unit().exprs[id];
     if (e.kind != ExprKind::variable && e.kind != ExprKind::system) return number(run, id);
     const Value v = evaluate(run, id);
@@ -167,7 +167,7 @@ namespace {
 constexpr std::uint64_t most_unknown_conditions = 100'000;
 }
 
-bool truth(Run& run, ExprId id, bool when_unknown) {
+bool truth(Reckoning& run, ExprId id, bool when_unknown) {
     const double v = condition(run, id);
     if (!std::isnan(v)) return v != 0;
     if (++run.unknown_conditions > most_unknown_conditions) {
@@ -188,7 +188,7 @@ bool truth(Run& run, ExprId id, bool when_unknown) {
 namespace {
 
 /// F_1[X,TR], or of an array F_1[3,X,TR].
-Value read_frame_variable(Run& run, const Binding& b, const Expr& e) {
+Value read_frame_variable(Reckoning& run, const Binding& b, const Expr& e) {
     Expr whole = e;
     whole.count = static_cast<std::uint16_t>(e.count - 2);
     std::size_t index = b.offset;
@@ -198,7 +198,7 @@ Value read_frame_variable(Run& run, const Binding& b, const Expr& e) {
     return frame.is_unknown() ? Value::unknown() : read_component(run, e, frame.as_frame());
 }
 
-Value read_variable(Run& run, const Expr& e, ExprId id) {
+Value read_variable(Reckoning& run, const Expr& e, ExprId id) {
     const Unit& unit = run.unit();
     if (const Binding* b = find_variable(run, e.a)) {
         if (is_character_access(*b, e)) return read_character(run, *b, e);
@@ -235,7 +235,7 @@ Value read_variable(Run& run, const Expr& e, ExprId id) {
     return held;
 }
 
-Value evaluate_binary(Run& run, const Expr& e) {
+Value evaluate_binary(Reckoning& run, const Expr& e) {
     const auto op = static_cast<Operator>(e.op);
     if (op == Operator::logical_and || op == Operator::logical_or) {
         const double left = condition(run, e.a), right = condition(run, e.b);
@@ -252,7 +252,7 @@ Value evaluate_binary(Run& run, const Expr& e) {
     return run.stopped ? Value{} : binary_value(run, e, a, b);
 }
 
-Value evaluate_unary(Run& run, const Expr& e, ExprId id) {
+Value evaluate_unary(Reckoning& run, const Expr& e, ExprId id) {
     const Value a = evaluate(run, e.a);
     if (a.is_unknown()) return a;
     if (static_cast<Operator>(e.op) == Operator::logical_not) return Value::boolean(a.number == 0);
@@ -262,7 +262,7 @@ Value evaluate_unary(Run& run, const Expr& e, ExprId id) {
 
 }  // namespace
 
-Value evaluate(Run& run, ExprId id) {
+Value evaluate(Reckoning& run, ExprId id) {
     if (id == program::no_expr || run.stopped) return {};
     const Unit& unit = run.unit();
     const Expr& e = unit.exprs[id];
@@ -286,7 +286,7 @@ Value evaluate(Run& run, ExprId id) {
     return Value::unknown();
 }
 
-std::string axis_of(Run& run, ExprId id) {
+std::string axis_of(Reckoning& run, ExprId id) {
     if (id == program::no_expr) return {};
     const Value v = evaluate(run, id);
     if (v.is_unknown()) return "?";

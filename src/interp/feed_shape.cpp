@@ -11,27 +11,27 @@ namespace obrys::interp {
 namespace {
 
 /// Part of F at which a move is run so that its part into the material is at most `plunge` of F.
-double plunging(const Run& run, const geom::Vec3& to, double length) {
+double plunging(const Telling& run, const geom::Vec3& to, double length) {
     const FeedShape& f = run.feed_shape;
     const double down = -geom::dot(to - f.at, run.tool_axis);
     return f.plunge < 1 && down > 0 ? std::min(1.0, f.plunge * length / down) : 1;
 }
 
-void tell_feed(Run& run, double feed, const cl::Record& before) {
+void tell_feed(Telling& run, double feed, const cl::Record& before) {
     FeedShape& f = run.feed_shape;
     if (!(f.programmed > 0) || std::abs(feed - f.told) <= 1e-9 * f.programmed) return;
     f.told = feed;
     run.sink({cl::Feed{feed, run.modal.feed_mode}, before.from, before.stack});
 }
 
-void before_line(Run& run, const cl::Linear& line, const cl::Record& record) {
+void before_line(Telling& run, const cl::Linear& line, const cl::Record& record) {
     FeedShape& f = run.feed_shape;
     if (!line.rapid && !f.in_cycle)
         tell_feed(run, f.programmed * plunging(run, line.to, geom::distance(f.at, line.to)), record);
     f.at = line.to;
 }
 
-void before_arc(Run& run, const cl::Arc& arc, const cl::Record& record) {
+void before_arc(Telling& run, const cl::Arc& arc, const cl::Record& record) {
     FeedShape& f = run.feed_shape;
     if (f.in_cycle) {
         if (run.modal.feed_reference != Modal::feed_at_tool)
@@ -46,7 +46,7 @@ void before_arc(Run& run, const cl::Arc& arc, const cl::Record& record) {
 
 }  // namespace
 
-void shape_feed_from_here(Run& run) {
+void shape_feed_from_here(Telling& run) {
     FeedShape& f = run.feed_shape;
     if (f.on || !run.traits->feed_at_tool_first) return;
     f.on = true;
@@ -54,7 +54,7 @@ void shape_feed_from_here(Run& run) {
     f.at = run.position;
 }
 
-void shape_feed(Run& run, const cl::Record& record) {
+void shape_feed(Telling& run, const cl::Record& record) {
     FeedShape& f = run.feed_shape;
     if (const auto* feed = std::get_if<cl::Feed>(&record.step)) f.programmed = f.told = feed->value;
     if (std::holds_alternative<cl::CycleBegin>(record.step)) f.in_cycle = true;

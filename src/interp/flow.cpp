@@ -18,19 +18,19 @@ namespace codes = base::codes;
 namespace {
 
 /// Goes to `target`; a missing end of a structure (reported by the reader) ends the program part.
-void go(Run& run, std::uint32_t target) {
+void go(Saying& run, std::uint32_t target) {
     Activation& act = run.top();
     act.pc = target == program::no_target ? static_cast<std::uint32_t>(act.unit->statements.size()) : target;
 }
 
-void go_back(Run& run, std::uint32_t target) {
+void go_back(Calling& run, std::uint32_t target) {
     count_pass(run, target);
     if (!run.stopped) go(run, target);
 }
 
-double loop_variable(Run& run, const program::For& f) { return number(run, f.variable); }
+double loop_variable(Reckoning& run, const program::For& f) { return number(run, f.variable); }
 
-void set_loop_variable(Run& run, const program::For& f, double v) {
+void set_loop_variable(Reckoning& run, const program::For& f, double v) {
     const program::Expr& e = run.unit().exprs[f.variable];
     if (e.kind == program::ExprKind::parameter && e.a < run.parameters.count()) {
         run.parameters.set(e.a, v);
@@ -48,12 +48,12 @@ void set_loop_variable(Run& run, const program::For& f, double v) {
     alarm(run, codes::type_mismatch, run.unit().span(f.variable), "FOR needs a number variable that is defined");
 }
 
-void say_unknown_passes(Run& run, const char* then) {
+void say_unknown_passes(Saying& run, const char* then) {
     const std::string text = "how often this loop runs depends on a value that is not known: ";
     unchecked(run, codes::unknown_value, run.here(), text + then);
 }
 
-void begin_for(Run& run, const program::For& f, std::uint32_t index) {
+void begin_for(Reckoning& run, const program::For& f, std::uint32_t index) {
     auto& unknown = run.top().unknown_loops;
     std::erase(unknown, index);
     set_loop_variable(run, f, number(run, f.from));
@@ -66,7 +66,7 @@ void begin_for(Run& run, const program::For& f, std::uint32_t index) {
     if (loop_variable(run, f) > last) go(run, f.target == program::no_target ? f.target : f.target + 1);
 }
 
-void end_for(Run& run, const program::For& f) {
+void end_for(Calling& run, const program::For& f) {
     if (f.target == program::no_target || std::erase(run.top().unknown_loops, f.target) != 0) return;
     const Unit& unit = run.unit();
     const program::For& head = unit.fors[static_cast<std::size_t>(unit.words[unit.statements[f.target].first].payload)];
@@ -77,7 +77,7 @@ void end_for(Run& run, const program::For& f) {
     if (at <= last) go_back(run, f.target + 1);
 }
 
-void run_case(Run& run, const program::Case& c) {
+void run_case(Calling& run, const program::Case& c) {
     const Value selector = evaluate(run, c.selector);
     if (selector.is_unknown())
         unchecked(run, codes::unknown_value, run.unit().span(c.selector),
@@ -110,7 +110,7 @@ std::uint32_t nearest(const std::vector<std::uint32_t>& at, std::uint32_t here, 
 }
 
 /// Statements that carry block number `n`; the text is gone through when a program first jumps to a computed one.
-std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
+std::vector<std::uint32_t> numbered_blocks(const Saying& run, std::int64_t n) {
     const auto [unit, added] = run.block_numbers.try_emplace(&run.unit());
     auto& index = unit->second;
     const auto& statements = run.unit().statements;
@@ -125,7 +125,7 @@ std::vector<std::uint32_t> numbered_blocks(const Run& run, std::int64_t n) {
 
 }  // namespace
 
-std::vector<std::uint32_t> numbered_statements(const Run& run, double n) {
+std::vector<std::uint32_t> numbered_statements(const Saying& run, double n) {
     const auto whole = base::whole<std::int64_t>(n, 0, 1'000'000'000);
     if (!whole) return {};
     const auto found = run.unit().labels.find(run.env.names.id("N" + std::to_string(*whole)));
@@ -134,7 +134,7 @@ std::vector<std::uint32_t> numbered_statements(const Run& run, double n) {
 
 namespace {
 
-std::uint32_t find_destination(Run& run, const std::string& name, program::JumpDirection d) {
+std::uint32_t find_destination(Saying& run, const std::string& name, program::JumpDirection d) {
     const std::uint32_t here = run.top().pc - 1;
     const std::string upper = base::to_upper(name);
     if (const auto found = run.unit().labels.find(run.env.names.id(upper)); found != run.unit().labels.end())
@@ -150,7 +150,7 @@ std::uint32_t find_destination(Run& run, const std::string& name, program::JumpD
 namespace {
 
 /// M99 of the main program: it would begin anew, or at an earlier block.
-void end_of_pass(Run& run, const program::Jump& j) {
+void end_of_pass(Calling& run, const program::Jump& j) {
     assume(run, run.here(),
            std::string(run.traits->repeats_program) + " repeats the main program without end: one pass is run");
     if (j.condition == program::no_expr) say_blocks_behind(run, std::string(run.traits->repeats_program));
@@ -165,13 +165,13 @@ void end_of_pass(Run& run, const program::Jump& j) {
 namespace {
 
 /// A global text of that name, where the jump's word is no label: GOTOF NAME with NAME among the user data.
-const Binding* named_text(Run& run, const std::string& name) {
+const Binding* named_text(Saying& run, const std::string& name) {
     const Binding* b = find_variable(run, run.env.names.id(base::to_upper(name)));
     return b != nullptr && b->array->type == Type::string && b->array->rank == 0 ? b : nullptr;
 }
 
 /// The statement that the jump's text or number names; no_target where there is none, after an alarm.
-std::uint32_t computed_target(Run& run, const program::Jump& j) {
+std::uint32_t computed_target(Reckoning& run, const program::Jump& j) {
     const Value v = evaluate(run, j.destination);
     if (run.stopped) return program::no_target;
     if (v.is_unknown()) {
@@ -199,7 +199,7 @@ std::uint32_t computed_target(Run& run, const program::Jump& j) {
 
 }  // namespace
 
-void jump(Run& run, const program::Jump& j) {
+void jump(Calling& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
     if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty())
@@ -218,7 +218,7 @@ void jump(Run& run, const program::Jump& j) {
 
 namespace {
 
-void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
+void repeat_section(Telling& run, const program::Section& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     const auto place = [&](program::NameId label) {
         const auto found = unit.labels.find(label);
@@ -256,7 +256,7 @@ void repeat_section(Run& run, const program::Section& s, std::uint32_t index) {
 }
 
 /// The count is taken once, at the start.
-void begin_repeat(Run& run, const program::Branch& b, std::uint32_t index) {
+void begin_repeat(Reckoning& run, const program::Branch& b, std::uint32_t index) {
     const double n = std::round(number(run, b.condition));
     if (run.stopped) return;
     if (std::isnan(n))
@@ -268,7 +268,7 @@ void begin_repeat(Run& run, const program::Branch& b, std::uint32_t index) {
     counters.push_back({index, times_of(n)});
 }
 
-void end_repeat(Run& run, const program::Branch& b) {
+void end_repeat(Calling& run, const program::Branch& b) {
     auto& counters = run.top().counters;
     const auto c =
         std::find_if(counters.begin(), counters.end(), [&](const auto& k) { return k.statement == b.target; });
@@ -278,7 +278,7 @@ void end_repeat(Run& run, const program::Branch& b) {
 }
 
 /// The cycle, and the words of its block that do not belong to it.
-void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index) {
+void cycle_definition(Cycling& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     define_cycle(run, unit.cycles[static_cast<std::size_t>(unit.words[s.first].payload)]);
     for (std::uint32_t w = s.first + 1; w < unit.words_end(index) && !run.stopped; ++w) gather(run, s, unit.words[w]);
@@ -289,14 +289,14 @@ void cycle_definition(Run& run, const program::Statement& s, std::uint32_t index
 namespace {
 
 /// What the program has written to end: "M99", "RET", "return" of `o100 return`.
-std::string return_word(const Run& run, const Statement& s) {
+std::string return_word(const Reckoning& run, const Statement& s) {
     const std::string text(run.env.sources.text(run.unit().span(s, run.unit().words[s.first])));
     const std::string word = base::to_upper(text.substr(0, text.find_first_of(" \t(;")));
     return word.starts_with('O') ? "return" : word;
 }
 
 /// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
-bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
+bool run_plain(Cycling& run, const Statement& s, std::uint32_t index) {
     switch (s.kind) {
         case StatementKind::block: run_block(run, s, index); return true;
         case StatementKind::frame: frame_statement(run, s, index); return true;
@@ -315,7 +315,7 @@ bool run_plain(Run& run, const Statement& s, std::uint32_t index) {
 
 }  // namespace
 
-void run_statement(Run& run, const Statement& s, std::uint32_t index) {
+void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
     settle_motion(run);
     const Unit& unit = run.unit();
     if (run.look > Look::next_element && say_foreign_statement(run, s)) return;

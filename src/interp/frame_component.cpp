@@ -18,7 +18,7 @@ namespace {
 
 enum class Component : std::uint8_t { shift, fine, rotation, scale, mirror };
 
-std::optional<Component> component_of(Run& run, ExprId id) {
+std::optional<Component> component_of(Saying& run, ExprId id) {
     const Expr& e = run.unit().exprs[id];
     if (e.kind != program::ExprKind::variable || e.count != 0) return std::nullopt;
     const std::string& name = run.env.names.text(e.a);
@@ -79,7 +79,7 @@ struct Place {
     int axis = 0;
     Component component = Component::shift;
 };
-std::optional<Place> place_of(Run& run, const Expr& e) {
+std::optional<Place> place_of(Reckoning& run, const Expr& e) {
     const base::Span where{run.unit().file, e.begin, e.end};
     const std::uint32_t at = e.b + e.count - 2;
     const std::string axis = axis_of(run, run.unit().children[at]);
@@ -99,14 +99,14 @@ double& part(FrameParts& p, const Place& place) {
                                                   : p.mirror[k];
 }
 
-void not_told(Run& run, const Expr& e) {
+void not_told(Saying& run, const Expr& e) {
     unchecked(run, codes::unknown_value, {run.unit().file, e.begin, e.end},
               "rotation, scale and mirroring of this frame cannot be told apart here");
 }
 
 }  // namespace
 
-bool is_component(const Run& run, const Expr& e) {
+bool is_component(const Saying& run, const Expr& e) {
     if (e.count < 2) return false;
     const Expr& last = run.unit().exprs[run.unit().children[e.b + e.count - 1]];
     if (last.kind != program::ExprKind::variable || last.count != 0) return false;
@@ -114,7 +114,7 @@ bool is_component(const Run& run, const Expr& e) {
     return name == "TR" || name == "FI" || name == "RT" || name == "SC" || name == "MI";
 }
 
-Value read_component(Run& run, const Expr& e, const Frame& frame) {
+Value read_component(Reckoning& run, const Expr& e, const Frame& frame) {
     const auto place = place_of(run, e);
     if (!place) return Value::unknown();
     if (place->component == Component::shift)
@@ -126,7 +126,7 @@ Value read_component(Run& run, const Expr& e, const Frame& frame) {
     return Value::real(place->component == Component::rotation ? geom::degrees(v) : v);
 }
 
-void write_component(Run& run, const Expr& e, Frame& frame, ExprId value) {
+void write_component(Reckoning& run, const Expr& e, Frame& frame, ExprId value) {
     const auto place = place_of(run, e);
     const double v = number(run, value);
     if (!place || run.stopped) return;

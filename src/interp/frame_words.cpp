@@ -16,7 +16,7 @@ using program::FrameOp;
 namespace {
 
 /// Rotations of one block act in the order Z, Y', X'' (RPY, MD10600 as delivered).
-geom::Frame rotation(Run& run) {
+geom::Frame rotation(Moving& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::plane_rotation))
         return geom::Frame::rotation(plane_axes(run.modal.plane).w, geom::radians(b.get(Code::plane_rotation)));
@@ -26,7 +26,7 @@ geom::Frame rotation(Run& run) {
     return f;
 }
 
-geom::Frame part_of(Run& run, FrameOp op) {
+geom::Frame part_of(Moving& run, FrameOp op) {
     const BlockWords& b = run.block;
     if (op == FrameOp::rotate) return rotation(run);
     const double unit = length_unit(run.modal);
@@ -46,7 +46,7 @@ struct DatumPlace {
     geom::Vec3 origin;
     double rotation = 0;
 };
-std::optional<DatumPlace> datum_place(const Run& run, std::uint32_t n) {
+std::optional<DatumPlace> datum_place(const Reckoning& run, std::uint32_t n) {
     const shop::Machine& machine = run.env.machine;
     if (const auto found = machine.datums.find(n); found != machine.datums.end()) {
         const auto turned = machine.datum_rotations.find(n);
@@ -60,7 +60,7 @@ std::optional<DatumPlace> datum_place(const Run& run, std::uint32_t n) {
 }
 
 /// Way between the active datum and the one the stream's coordinates are in; nothing where it is not known.
-std::optional<geom::Frame> datum_shift(const Run& run) {
+std::optional<geom::Frame> datum_shift(const Reckoning& run) {
     if (run.modal.datum == run.reference_datum) return geom::Frame{};
     const auto active = datum_place(run, run.modal.datum), reference = datum_place(run, run.reference_datum);
     if (!active || !reference || !geom::is_finite(active->origin - reference->origin)) return std::nullopt;
@@ -80,12 +80,12 @@ bool has_unknown(const BlockWords& b) {
 
 }  // namespace
 
-geom::Vec3 datum_origin(const Run& run) {
+geom::Vec3 datum_origin(const Reckoning& run) {
     const auto place = datum_place(run, run.modal.datum);
     return place ? place->origin : geom::Vec3{NAN, NAN, NAN};
 }
 
-void update_frame(Run& run) {
+void update_frame(Telling& run) {
     flush_path(run);
     run.told.current = false;
     const std::optional<geom::Frame> shift = keeps_offsets(run) ? std::optional(offset_frame(run)) : datum_shift(run);
@@ -120,7 +120,7 @@ cl::FrameKind kind_of(TransformKind kind) {
 
 }  // namespace
 
-std::vector<cl::FramePart> frame_parts(const Run& run) {
+std::vector<cl::FramePart> frame_parts(const Telling& run) {
     std::vector<cl::FramePart> parts;
     const auto add = [&](cl::FrameKind kind, const geom::Frame& frame) {
         if (!(frame == geom::Frame{})) parts.push_back({kind, frame});
@@ -136,10 +136,11 @@ std::vector<cl::FramePart> frame_parts(const Run& run) {
     return parts;
 }
 
-void frame_statement(Run& run, const program::Statement& s, std::uint32_t index) {
+void frame_statement(Calling& run, const program::Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     const program::FrameCall call = unit.frames[static_cast<std::size_t>(unit.words[s.first].payload)];
     run.block.clear();
+    run.complained = false;
     if (call.beside_words)
         return alarm(run, codes::repeated_word, run.here(),
                      "TRANS, ROT, SCALE, MIRROR and their additive forms stand in a block of their own: other words "

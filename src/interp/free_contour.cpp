@@ -67,7 +67,7 @@ constexpr Field fields[] = {
 
 class Reader {
 public:
-    Reader(Run& run, const FreeContour& contour, const Special& s)
+    Reader(Reckoning& run, const FreeContour& contour, const Special& s)
         : run_(run), contour_(contour), s_(s), unit_(length_unit(run.modal)) {}
 
     path::FkElement element(std::uint64_t tag) {
@@ -124,13 +124,13 @@ private:
         return std::nullopt;
     }
 
-    Run& run_;
+    Reckoning& run_;
     const FreeContour& contour_;
     const Special& s_;
     double unit_;
 };
 
-void set_pole(Run& run, const Special& s) {
+void set_pole(Reckoning& run, const Special& s) {
     const double unit = length_unit(run.modal);
     Vec2 pole = run.free_pole.value_or(Vec2{});
     if (has_datum(s, Datum::x)) pole.x = datum_of(run, s, Datum::x) * unit;
@@ -144,7 +144,7 @@ void take(FreeContour& c, path::FkResult r) {
 }
 
 /// Hands the next statement over; false where the contour ends.
-bool hand_over(Run& run, FreeContour& c) {
+bool hand_over(Moving& run, FreeContour& c) {
     if (c.next >= c.unit->statements.size()) return false;
     const program::Statement& statement = c.unit->statements[c.next];
     const Special* s = special_at(*c.unit, c.next);
@@ -192,7 +192,7 @@ std::string fault_text(const path::FkFault& f) {
     }
 }
 
-void complain(Run& run, const FreeContour& c) {
+void complain(Saying& run, const FreeContour& c) {
     const path::FkFault& f = *c.fault;
     const auto at = static_cast<std::uint32_t>(f.tag);
     const base::Span where = at < c.unit->statements.size() ? c.unit->span(c.unit->statements[at]) : run.here();
@@ -202,7 +202,7 @@ void complain(Run& run, const FreeContour& c) {
         alarm(run, codes::contour, where, fault_text(f));
 }
 
-FreeContour& contour_at(Run& run, std::uint32_t index) {
+FreeContour& contour_at(Moving& run, std::uint32_t index) {
     const FreeContour* at_hand = run.free_contour.at_hand.get();
     const bool goes_on =
         at_hand != nullptr && at_hand->unit == &run.unit() && index > at_hand->done && index <= at_hand->next;
@@ -221,7 +221,7 @@ FreeContour& contour_at(Run& run, std::uint32_t index) {
 
 }  // namespace
 
-void free_contour(Run& run, const Special& s, std::uint32_t index) {
+void free_contour(Moving& run, const Special& s, std::uint32_t index) {
     if (s.kind == SpecialKind::free_pole) return set_pole(run, s);
     if (s.kind == SpecialKind::free_select) return;
     FreeContour& c = contour_at(run, index);

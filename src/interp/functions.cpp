@@ -20,7 +20,7 @@ namespace {
 
 /// The arguments of a call, evaluated when asked for.
 struct Arguments {
-    Run& run;
+    Reckoning& run;
     const Expr& e;
     mutable bool unknown = false;  ///< one of those asked for so far is not known
 
@@ -214,7 +214,7 @@ Value substring(const Arguments& a) {
 }
 
 /// A number as the control's language writes it: "1.5EX2" where exponents are EX.
-std::optional<double> number_in(const Run& run, std::string_view text) {
+std::optional<double> number_in(const Saying& run, std::string_view text) {
     if (!run.traits->exponent_is_ex) return base::parse_double(text);
     std::string plain = base::to_upper(base::trim(text));
     const auto e = plain.find('E');
@@ -235,7 +235,7 @@ Value file_exists(const Arguments& a) {
 }
 
 /// EXISTS of #<_ini[section]key>: known where the control's settings are at hand.
-std::optional<bool> setting_exists(const Run& run, std::string_view text) {
+std::optional<bool> setting_exists(const Saying& run, std::string_view text) {
     constexpr std::string_view before = "#<_INI[";
     const auto close = text.find(']');
     const auto* settings = run.env.settings;
@@ -248,7 +248,7 @@ std::optional<bool> setting_exists(const Run& run, std::string_view text) {
 /// TRUE for what program, job or files here define. What else the control has is not known, but for names that programs
 /// make themselves (Traits::variables_by_assignment).
 Value variable_exists(const Arguments& a) {
-    Run& run = a.run;
+    auto& run = a.run;
     const std::string text = base::to_upper(base::trim(a.text(0)));
     if (run.stopped || a.unknown) return Value::unknown(Type::boolean);
     const std::string bare = text.substr(0, text.find('['));
@@ -356,7 +356,7 @@ Value frame_function(const Arguments& a, Function f) {
 
 }  // namespace
 
-Value call_function(Run& run, const Expr& e) {
+Value call_function(Reckoning& run, const Expr& e) {
     const Arguments a{run, e};
     const auto f = static_cast<Function>(e.op);
     double result = 0;

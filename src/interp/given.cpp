@@ -26,18 +26,18 @@ Value value_of(const GivenValue& g) {
 }
 
 /// A value that cannot be used: the run does not begin.
-void refuse_given(Run& run, const GivenValue& g, std::string text, std::string remedy = {}) {
+void refuse_given(Saying& run, const GivenValue& g, std::string text, std::string remedy = {}) {
     run.stopped = true;
-    run.diagnostics.add({base::Severity::error,
-                         codes::job_value,
-                         g.where,
-                         "[variables] " + std::move(text),
-                         std::move(remedy),
-                         {},
-                         {}});
+    run.diagnostics->add({base::Severity::error,
+                          codes::job_value,
+                          g.where,
+                          "[variables] " + std::move(text),
+                          std::move(remedy),
+                          {},
+                          {}});
 }
 
-void give_parameter(Run& run, std::uint32_t n, const std::string& key, const GivenValue& g) {
+void give_parameter(Reckoning& run, std::uint32_t n, const std::string& key, const GivenValue& g) {
     const bool empties = run.traits->empty_parameters && base::equals_ignoring_case(g.text, "empty");
     if (g.kind == GivenKind::text && empties)
         run.parameters.set_empty_by_control(n);
@@ -62,7 +62,7 @@ std::optional<std::vector<double>> indices_of(std::string_view text) {
     return indices;
 }
 
-void give_element(Run& run, Array& array, const std::string& key, const GivenValue& g) {
+void give_element(Saying& run, Array& array, const std::string& key, const GivenValue& g) {
     const auto bracket = std::min(key.find('['), key.size());
     const auto indices = indices_of(std::string_view(key).substr(std::min(bracket + 1, key.size())));
     std::size_t index = 0;
@@ -86,7 +86,7 @@ void give_element(Run& run, Array& array, const std::string& key, const GivenVal
 }
 
 /// A name that no definition file holds: the value gives the type.
-void give_name(Run& run, program::NameId id, const GivenValue& g) {
+void give_name(Saying& run, program::NameId id, const GivenValue& g) {
     auto array = std::make_shared<Array>();
     const Value v = value_of(g);
     array->type = v.type;
@@ -96,7 +96,7 @@ void give_name(Run& run, program::NameId id, const GivenValue& g) {
 }
 
 /// An element of a name that no definition file holds.
-void give_undefined(Run& run, program::NameId id, const std::string& key, const GivenValue& g) {
+void give_undefined(Reckoning& run, program::NameId id, const std::string& key, const GivenValue& g) {
     const auto indices = indices_of(std::string_view(key).substr(key.find('[') + 1));
     if (!indices) return;  // $AC_DRF[X]: asked by its spelling
     std::size_t place = 0;
@@ -142,7 +142,7 @@ std::string nearest_variable(const program::Traits& t, std::string_view key) {
 }
 
 /// What the job says of a variable that the control cannot have is a slip of the pen.
-void refuse_foreign_keys(Run& run) {
+void refuse_foreign_keys(Reckoning& run) {
     std::set<std::string_view> said;  // of an array one element
     for (const auto& [key, g] : run.env.variables) {
         if (parameter_of_key(*run.traits, key) < run.parameters.count()) continue;
@@ -163,7 +163,7 @@ void refuse_foreign_keys(Run& run) {
 
 }  // namespace
 
-void take_given(Run& run) {
+void take_given(Reckoning& run) {
     refuse_foreign_keys(run);
     if (run.stopped) return;
     if (run.env.stored != nullptr)
@@ -191,7 +191,7 @@ void take_given(Run& run) {
     }
 }
 
-std::optional<Value> given_value(const Run& run, std::string_view key) {
+std::optional<Value> given_value(const Reckoning& run, std::string_view key) {
     if (run.given.empty()) return std::nullopt;
     const auto found = run.given.find(shop::given_key(key));
     if (found == run.given.end()) return std::nullopt;
@@ -204,7 +204,7 @@ std::string job_key(const std::string& name) {
     return bare && !name.empty() ? name : "\"" + name + "\"";
 }
 
-bool give_argument(Run& run, Array& array, const std::string& name) {
+bool give_argument(Reckoning& run, Array& array, const std::string& name) {
     bool found = false;
     for (const auto& [key, g] : run.given) {
         if (bare_name(key) != name) continue;
@@ -221,7 +221,7 @@ std::string given_remedy(const std::string& key) {
 namespace {
 
 /// "MY_I[2]": an element by the name of its definition.
-std::string element_key(const Run& run, const Array& a, std::size_t index) {
+std::string element_key(const Saying& run, const Array& a, std::size_t index) {
     std::string indices;
     for (int k = a.rank - 1; k >= 0; --k) {
         const std::uint32_t n = a.dimensions[static_cast<std::size_t>(k)];
@@ -233,7 +233,7 @@ std::string element_key(const Run& run, const Array& a, std::size_t index) {
 
 }  // namespace
 
-void note_held(Run& run, const Array& a, std::size_t index, const base::Span& where) {
+void note_held(Saying& run, const Array& a, std::size_t index, const base::Span& where) {
     const Held held = a.held_by(index);
     if (held == Held::own) return;
     const std::string key = element_key(run, a, index);
@@ -248,7 +248,7 @@ void note_held(Run& run, const Array& a, std::size_t index, const base::Span& wh
               given_remedy(key));
 }
 
-std::string variable_key(Run& run, const program::Expr& e) {
+std::string variable_key(Reckoning& run, const program::Expr& e) {
     std::string key = run.env.names.text(e.a);
     const std::size_t component = is_component(run, e) ? e.count - std::size_t{1} : e.count;  // TR of $P_UIFR[1,X,TR]
     for (std::size_t k = 0; k < e.count && !run.stopped; ++k) {

@@ -13,13 +13,13 @@ namespace codes = base::codes;
 
 namespace {
 
-std::uint32_t first_of(const Run& run) {
+std::uint32_t first_of(const Moving& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     return run.block.special_number >= 2 ? p.home_second : p.home_first;
 }
 
 /// Machine coordinate to which the axis goes; NaN where it is not known.
-double home_of(const Run& run, std::size_t axis) {
+double home_of(const Moving& run, std::size_t axis) {
     if (const std::uint32_t first = first_of(run); first != 0) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(axis);
         if (run.parameters.is_set(n) || run.env.stored != nullptr || run.env.tell_settings)
@@ -29,14 +29,14 @@ double home_of(const Run& run, std::size_t axis) {
     return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown_number;
 }
 
-void emit_other_axis(Run& run, std::size_t k, double to) {
+void emit_other_axis(Telling& run, std::size_t k, double to) {
     const std::string name = axis_name(k);
     run.extra_axes[name] = to;
     emit(run, axis_record(name, to, is_rotary(k), false));
 }
 
 /// Bare G28 moves the axes that the machine has.
-bool is_absent(const Run& run, std::size_t axis) {
+bool is_absent(const Saying& run, std::size_t axis) {
     const shop::Machine& m = run.env.machine;
     return !m.axes.empty() && !m.more_axes && machine_axis(run, axis_name(axis)) == nullptr;
 }
@@ -50,7 +50,7 @@ std::string unknown_axes(const geom::Vec3& to) {
 }
 
 /// To the stored position with those axes that are named, or with all.
-void to_home(Run& run, bool all) {
+void to_home(Moving& run, bool all) {
     const Offsets& o = run.offsets;
     geom::Vec3 to = run.position;
     cl::MachinePlace place;
@@ -83,7 +83,7 @@ void to_home(Run& run, bool all) {
 
 }  // namespace
 
-void go_home(Run& run) {
+void go_home(Moving& run) {
     flush_path(run);
     bool any = false;
     for (int k = 0; k < 9; ++k) any = any || run.block.has(axis_code(k));
@@ -105,7 +105,7 @@ void go_home(Run& run) {
     tool_length_words(run, Modal::tool_length_off);
 }
 
-void store_home(Run& run) {
+void store_home(Moving& run) {
     const std::uint32_t first = first_of(run);
     for (std::size_t k = 0; k < 9 && first != 0; ++k) {
         const double at = machine_coordinate(run, k);

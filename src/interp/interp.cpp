@@ -11,7 +11,7 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-bool over_budget(Run& run, bool check_clock) {
+bool over_budget(Reckoning& run, bool check_clock) {
     const shop::Budgets& b = run.env.budgets;
     const auto seconds = [&] { return b.bounds_check ? run.time.by_clock() : run.time.by_processor(); };
     run.out_of_time = run.out_of_time || (check_clock && seconds() > b.seconds);
@@ -31,7 +31,7 @@ bool over_budget(Run& run, bool check_clock) {
 
 namespace {
 
-bool skipped(const Run& run, const program::Statement& s) {
+bool skipped(const Saying& run, const program::Statement& s) {
     const int level = (s.flags & program::skip_mask) - 1;
     if (level < 0) return false;
     for (const int on : run.env.skip_levels)
@@ -40,14 +40,14 @@ bool skipped(const Run& run, const program::Statement& s) {
 }
 
 /// A block with / is run: once a run it is said that its switch was taken to be off.
-void say_not_skipped(Run& run, const program::Statement& s) {
+void say_not_skipped(Saying& run, const program::Statement& s) {
     const int level = (s.flags & program::skip_mask) - 1;
     assume(run, run.here(), "block skip is taken to be off: the blocks with / are run",
            "where the machine skips them: skip = [" + std::to_string(level) + "] in the job");
 }
 
 /// Goes back to the start of a repeated section, or behind the REPEAT when it is done.
-void end_of_section(Run& run) {
+void end_of_section(Moving& run) {
     Activation& act = run.top();
     ActiveSection& section = act.sections.back();
     if (section.pass > 1) end_part(run);
@@ -65,7 +65,7 @@ void end_of_section(Run& run) {
 
 }  // namespace
 
-void begin_repetition(Run& run, ActiveSection section) {
+void begin_repetition(Telling& run, ActiveSection section) {
     section.pass = 2;
     section.passes = section.left + 1;
     begin_part(run, cl::PartKind::repetition, section.name, section.pass, section.passes);
@@ -73,7 +73,7 @@ void begin_repetition(Run& run, ActiveSection section) {
     run.top().sections.push_back(std::move(section));
 }
 
-void step(Run& run) {
+void step(RunState& run) {
     Activation& act = run.top();
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;

@@ -12,7 +12,7 @@ namespace codes = base::codes;
 
 namespace {
 
-const program::KeptParameters* range_of(const Run& run, std::uint32_t n) {
+const program::KeptParameters* range_of(const Saying& run, std::uint32_t n) {
     for (const program::KeptParameters& k : run.traits->kept)
         if (n >= k.first && n <= k.last) return &k;
     return nullptr;
@@ -20,11 +20,11 @@ const program::KeptParameters* range_of(const Run& run, std::uint32_t n) {
 
 }  // namespace
 
-bool is_absent(const Run& run, std::uint32_t n) {
+bool is_absent(const Saying& run, std::uint32_t n) {
     return n >= run.traits->absent_first && n <= run.traits->absent_last && n != 0;
 }
 
-bool refuse_absent(Run& run, std::uint32_t n, const base::Span& where) {
+bool refuse_absent(Saying& run, std::uint32_t n, const base::Span& where) {
     if (!is_absent(run, n)) return false;
     const auto name = [&](std::uint32_t k) { return program::parameter_name(*run.traits, k); };
     alarm(run, codes::index_range, where,
@@ -33,7 +33,7 @@ bool refuse_absent(Run& run, std::uint32_t n, const base::Span& where) {
     return true;
 }
 
-bool is_kept_unknown(Run& run, std::uint32_t n) {
+bool is_kept_unknown(Reckoning& run, std::uint32_t n) {
     if (run.traits->kept.empty() || run.parameters.is_set(n) || run.parameters.is_known_empty(n)) return false;
     if (run.env.stored != nullptr || run.env.tell_settings) return false;  // the control's file: what it lacks is 0
     const program::KeptParameters* k = range_of(run, n);
@@ -48,7 +48,7 @@ bool is_kept_unknown(Run& run, std::uint32_t n) {
     return false;
 }
 
-double kept_parameter(Run& run, std::uint32_t n, const base::Span& where) {
+double kept_parameter(Reckoning& run, std::uint32_t n, const base::Span& where) {
     if (!is_kept_unknown(run, n)) return run.parameters.get(n);
     const std::string name = program::parameter_name(*run.traits, n);
     unchecked(run, codes::unknown_value, where, "what " + name + " holds from before the program is not known",
@@ -73,7 +73,7 @@ std::optional<ZeroParameter> zero_of(const program::OffsetParameters& p, std::ui
 
 namespace {
 
-void tell_written_zero(Run& run, std::uint32_t n) {
+void tell_written_zero(Telling& run, std::uint32_t n) {
     const auto zero = zero_of(run.traits->offsets, n);
     if (!zero || zero->axis > 2) return;
     cl::DatumData data;
@@ -84,7 +84,7 @@ void tell_written_zero(Run& run, std::uint32_t n) {
 
 }  // namespace
 
-void note_written(Run& run, std::uint32_t n, const base::Span& where) {
+void note_written(Telling& run, std::uint32_t n, const base::Span& where) {
     const program::KeptParameters* k = run.traits->kept.empty() ? nullptr : range_of(run, n);
     if (k == nullptr) return;
     const bool in_force = holds_active_datum(run, n);

@@ -17,7 +17,7 @@ namespace {
 
 constexpr double most_label_repeats = 65534;
 
-std::uint32_t target_of(Run& run, const program::LabelCall& c) {
+std::uint32_t target_of(Reckoning& run, const program::LabelCall& c) {
     if (c.target != program::no_target) return c.target;
     const Value v = evaluate(run, c.label);
     if (run.stopped) return program::no_target;
@@ -33,17 +33,17 @@ std::uint32_t target_of(Run& run, const program::LabelCall& c) {
 }
 
 /// As the block names it.
-std::string label_name(Run& run, const program::LabelCall& c) {
+std::string label_name(Reckoning& run, const program::LabelCall& c) {
     return c.label != program::no_expr ? printed(evaluate(run, c.label)) : std::string();
 }
 
-void too_deep(Run& run, const std::string& text) {
+void too_deep(Saying& run, const std::string& text) {
     unchecked(run, codes::budget, run.here(), text, "the control allows no more");
     run.stopped = true;
     run.ending = Ending::budget;
 }
 
-void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::uint32_t index) {
+void repeat(Telling& run, std::uint32_t target, const program::LabelCall& c, std::uint32_t index) {
     const double passes = number(run, c.repeats);
     if (std::isnan(passes))
         unchecked(run, codes::unknown_value, run.here(),
@@ -67,7 +67,7 @@ void repeat(Run& run, std::uint32_t target, const program::LabelCall& c, std::ui
 
 }  // namespace
 
-void call_label(Run& run, const program::LabelCall& c, std::uint32_t index) {
+void call_label(Telling& run, const program::LabelCall& c, std::uint32_t index) {
     const std::uint32_t target = target_of(run, c);
     if (target == program::no_target) return;
     if (c.repeats != program::no_expr) return repeat(run, target, c, index);
@@ -77,11 +77,11 @@ void call_label(Run& run, const program::LabelCall& c, std::uint32_t index) {
         return too_deep(run, "labels are called more than " + std::to_string(depth) + " levels deep");
     act.labels.push_back({index + 1, act.stack});
     begin_part(run, cl::PartKind::label, label_name(run, c), 1, 1);
-    act.stack = run.stacks.push(act.stack, run.here());
+    act.stack = run.stacks->push(act.stack, run.here());
     act.pc = target;
 }
 
-void end_label(Run& run) {
+void end_label(Telling& run) {
     Activation& act = run.top();
     auto& ended = act.ended_labels;
     const bool known = std::find(ended.begin(), ended.end(), act.pc) != ended.end();

@@ -17,7 +17,7 @@ namespace {
 
 Vec2 along(double degrees) { return {std::cos(geom::radians(degrees)), std::sin(geom::radians(degrees))}; }
 
-bool not_determined(Run& run, bool both) {
+bool not_determined(Saying& run, bool both) {
     unchecked(run, codes::unsupported, run.here(),
               "ANG= with " + std::string(both ? "both" : "none") + " of the plane's axes is not run here",
               both ? "leave out one of the coordinates, or write the line before it with ANG= alone"
@@ -26,7 +26,7 @@ bool not_determined(Run& run, bool both) {
 }
 
 /// The second of two lines: it must lie at its angle, which the corner of the first one has seen to.
-bool lies_at_angle(Run& run, const Vec3& to, const PlaneAxes& axes, double angle) {
+bool lies_at_angle(Reckoning& run, const Vec3& to, const PlaneAxes& axes, double angle) {
     if (run.look == Look::next_element) return true;
     const Vec2 step = in_plane(to, axes) - in_plane(run.programmed_position, axes), d = along(angle);
     const double off = std::abs(geom::cross(d, step));
@@ -35,14 +35,14 @@ bool lies_at_angle(Run& run, const Vec3& to, const PlaneAxes& axes, double angle
 }
 
 /// The first of two lines: its end is where it meets the second one.
-bool to_corner(Run& run, Vec3& to, const PlaneAxes& axes, double angle) {
+bool to_corner(Moving& run, Vec3& to, const PlaneAxes& axes, double angle) {
     const Vec2 from = in_plane(run.programmed_position, axes), d1 = along(angle);
     if (run.look == Look::next_element) {  // looked at as the next line of another one: it has a direction and no end
         coordinate(to, axes.u) = from.x + d1.x;
         coordinate(to, axes.v) = from.y + d1.y;
         return true;
     }
-    const auto next = next_element(run, run.programmed_position);
+    const auto next = run.onward->next_element(run.programmed_position);
     if (!next || !next->line_angle || path::is_arc(next->element)) return not_determined(run, false);
     const Vec2 d2 = along(*next->line_angle), way = next->element.to - from;
     const double turn = geom::cross(d1, d2);
@@ -60,7 +60,7 @@ bool to_corner(Run& run, Vec3& to, const PlaneAxes& axes, double angle) {
 
 }  // namespace
 
-bool line_by_angle(Run& run, Vec3& to) {
+bool line_by_angle(Moving& run, Vec3& to) {
     const BlockWords& b = run.block;
     const PlaneAxes axes = plane_axes(run.modal.plane);
     const bool has_u = b.has(axis_code(axes.u)), has_v = b.has(axis_code(axes.v));
@@ -79,7 +79,7 @@ bool line_by_angle(Run& run, Vec3& to) {
     return true;
 }
 
-std::optional<double> angle_of_whole_line(const Run& run) {
+std::optional<double> angle_of_whole_line(const Moving& run) {
     const BlockWords& b = run.block;
     const PlaneAxes axes = plane_axes(run.modal.plane);
     const Code u = axis_code(axes.u), v = axis_code(axes.v);

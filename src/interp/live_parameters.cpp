@@ -18,24 +18,24 @@ namespace codes = base::codes;
 namespace {
 
 /// mm of a length that the program reads: its own unit, and diameters where it programs these.
-double in_program_unit(const Run& run, std::size_t axis, double v) {
+double in_program_unit(const Reckoning& run, std::size_t axis, double v) {
     if (axis >= 3 && axis < 6) return v;
     return v / (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : length_unit(run.modal));
 }
 
-double axis_value(const Run& run, std::size_t axis, bool machine) {
+double axis_value(const Reckoning& run, std::size_t axis, bool machine) {
     const double at = machine ? machine_coordinate(run, axis) : axis_coordinate(run, axis);
     if (std::isnan(at) && axis >= 3 && !run.extra_axes.contains(axis_name(axis))) return 0;
     return in_program_unit(run, axis, at);
 }
 
 /// Machine coordinates count from the machine's zero: how far the workpiece lies from it must be known.
-double machine_value(const Run& run, std::size_t axis) {
+double machine_value(const Reckoning& run, std::size_t axis) {
     const bool placed = !keeps_offsets(run) || axis >= 3 || (run.datum_known && is_datum_given(run, axis));
     return placed ? axis_value(run, axis, true) : unknown_number;
 }
 
-double table_column(const Run& run, std::size_t column) {
+double table_column(const Reckoning& run, std::size_t column) {
     const shop::Tool* t = run.tool.data;
     if (!run.tool.known) return unknown_number;
     if (column == 0) return run.tool.number;
@@ -51,7 +51,7 @@ double table_column(const Run& run, std::size_t column) {
     return column == 11 ? t->table->front_angle : column == 12 ? t->table->back_angle : t->table->orientation;
 }
 
-double motion_mode(const Run& run) {
+double motion_mode(const Reckoning& run) {
     const ModalState& m = run.modal;
     switch (m.motion) {
         case Modal::rapid: return 0;
@@ -66,13 +66,13 @@ double motion_mode(const Run& run) {
     }
 }
 
-double work_coordinate_system(const Run& run) {
+double work_coordinate_system(const Reckoning& run) {
     const std::uint32_t n = run.modal.datum;
     return n >= 591 && n <= 593 ? 590 + static_cast<double>(n - 590) : 10.0 * n;
 }
 
 /// What is asked of modes and switches.
-double mode(const Run& run, StateQuery q) {
+double mode(const Reckoning& run, StateQuery q) {
     const ModalState& m = run.modal;
     switch (q) {
         case StateQuery::motion_mode: return motion_mode(run);
@@ -103,7 +103,7 @@ double mode(const Run& run, StateQuery q) {
 /// What nobody has said the control holds from before.
 double if_said(bool said, double v) { return said ? v : unknown_number; }
 
-double state(const Run& run, StateQuery q) {
+double state(const Reckoning& run, StateQuery q) {
     if (q >= StateQuery::x && q <= StateQuery::w)
         return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::x), false);
     if (q >= StateQuery::machine_x && q <= StateQuery::machine_w)
@@ -133,7 +133,7 @@ double state(const Run& run, StateQuery q) {
     }
 }
 
-const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
+const program::LiveParameters* live_range(const Saying& run, std::uint32_t n) {
     const auto& live = run.traits->live;
     if (live.empty() || n < live.front().first) return nullptr;  // the lowest stands first
     for (const program::LiveParameters& l : live)
@@ -142,7 +142,7 @@ const program::LiveParameters* live_range(const Run& run, std::uint32_t n) {
 }
 
 /// What the control shows of itself, as far as the run follows it; NaN where it does not.
-double known_live_value(const Run& run, SystemVariable v, double index) {
+double known_live_value(const Reckoning& run, SystemVariable v, double index) {
     const auto axis = base::clipped<std::size_t>(index, 1, 9) - 1;
     switch (v) {
         case SystemVariable::state: return state(run, static_cast<StateQuery>(base::clipped<int>(index, 0, 99'999)));
@@ -159,7 +159,7 @@ struct Unknown {
     std::string also{};
 };
 
-Unknown why_unknown(const Run& run, SystemVariable v, double index) {
+Unknown why_unknown(const Reckoning& run, SystemVariable v, double index) {
     constexpr const char* first_tool = "; first_tool of the job tells it";
     if (v == SystemVariable::tool_table_column && !run.tool.known) return {no_tool_said, first_tool};
     if (v == SystemVariable::machine_coordinate && keeps_offsets(run))
@@ -180,7 +180,7 @@ Unknown why_unknown(const Run& run, SystemVariable v, double index) {
 }
 
 /// `name`: of a parameter that the job can give; empty: it cannot.
-double report_unknown(Run& run, const std::string& name, const base::Span& where, const Unknown& u) {
+double report_unknown(Saying& run, const std::string& name, const base::Span& where, const Unknown& u) {
     unchecked(run, codes::unknown_value, where, u.why,
               "what is computed from it is unknown too" + u.also + (name.empty() ? "" : "; " + given_remedy(name)));
     return unknown_number;
@@ -202,18 +202,18 @@ std::optional<program::ModalGroup> group_of(StateQuery q) {
 
 }  // namespace
 
-bool is_live(const Run& run, std::uint32_t n) {
+bool is_live(const Reckoning& run, std::uint32_t n) {
     const program::LiveParameters* l = live_range(run, n);
     return l != nullptr && !run.parameters.is_assigned(n);
 }
 
-bool may_be_written(const Run& run, std::uint32_t n) {
+bool may_be_written(const Saying& run, std::uint32_t n) {
     const program::LiveParameters* l = live_range(run, n);
     return l == nullptr || l->value == SystemVariable::probed_coordinate || l->value == SystemVariable::probe_success ||
            l->value == SystemVariable::input_value || l->value == SystemVariable::unknown;
 }
 
-bool is_of_control(Run& run, std::uint32_t n, const base::Span& where) {
+bool is_of_control(Saying& run, std::uint32_t n, const base::Span& where) {
     const program::LiveParameters* l = live_range(run, n);
     if (l == nullptr || run.traits->assigns_together) return false;
     if (l->value == SystemVariable::timer) return true;
@@ -221,13 +221,13 @@ bool is_of_control(Run& run, std::uint32_t n, const base::Span& where) {
     return true;
 }
 
-void forget_live(Run& run, SystemVariable what) {
+void forget_live(Reckoning& run, SystemVariable what) {
     for (const program::LiveParameters& l : run.traits->live)
         for (std::uint32_t n = l.first; l.value == what && n < std::min(l.first + l.count, run.parameters.count()); ++n)
             run.parameters.forget(n);
 }
 
-double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
+double live_parameter(Reckoning& run, std::uint32_t n, const base::Span& where) {
     const program::LiveParameters* l = live_range(run, n);
     const double index = static_cast<double>(n - l->first) + (l->value == SystemVariable::tool_table_column ? 0 : 1);
     const double shown = known_live_value(run, l->value, index);
@@ -236,7 +236,7 @@ double live_parameter(Run& run, std::uint32_t n, const base::Span& where) {
     return report_unknown(run, program::parameter_name(*run.traits, n), where, why_unknown(run, l->value, index));
 }
 
-Value live_value(Run& run, SystemVariable v, double index, const std::string& name, const base::Span& where) {
+Value live_value(Reckoning& run, SystemVariable v, double index, const std::string& name, const base::Span& where) {
     const double result = known_live_value(run, v, index);
     if (!std::isnan(result)) return Value::real(result);
     const std::string key = name.starts_with('#') ? name : std::string{};
@@ -244,13 +244,13 @@ Value live_value(Run& run, SystemVariable v, double index, const std::string& na
     return Value::real(report_unknown(run, key, where, why_unknown(run, v, index)));
 }
 
-bool is_said(const Run& run, program::ModalGroup group) {
+bool is_said(const Reckoning& run, program::ModalGroup group) {
     if (run.env.tell_settings) return true;  // LinuxCNC's own interpreter begins with what it prints
     const bool speed = group == program::ModalGroup::feed && run.modal.speed_word != 0;  // G96 and G97 are of it, too
     return speed || (run.modal.groups_said >> static_cast<unsigned>(group) & 1u) != 0;
 }
 
-std::optional<double> code_in_force(const Run& run, StateQuery q, double yes, double no) {
+std::optional<double> code_in_force(const Reckoning& run, StateQuery q, double yes, double no) {
     const bool surface = q == StateQuery::spindle_surface_mode;
     if (const auto group = group_of(q); surface ? run.modal.speed_word == 0 : group && !is_said(run, *group))
         return std::nullopt;
@@ -261,7 +261,7 @@ std::optional<double> code_in_force(const Run& run, StateQuery q, double yes, do
     return v != 0 ? yes : no;
 }
 
-void begin_said(Run& run) {
+void begin_said(Reckoning& run) {
     if (!run.env.tell_settings) return;
     run.tool.known = run.tool.edge_known = run.spindle.speed_known = run.spindle.direction_known = true;
     run.tool.selected = 0;

@@ -2,6 +2,7 @@
 
 #include "interp/capture.hpp"
 #include "interp/cycle_call.hpp"
+#include "interp/look_ahead.hpp"
 #include "interp/path_stage.hpp"
 
 namespace obrys::interp {

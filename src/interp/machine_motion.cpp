@@ -14,7 +14,7 @@ namespace {
 
 /// What machine coordinates lie ahead of stream coordinates; NaN where the datum is not known, or is turned against the
 /// machine.
-double ahead(const Run& run, int k) {
+double ahead(const Reckoning& run, int k) {
     const shop::Machine& m = run.env.machine;
     if (keeps_offsets(run)) {
         const Offsets& o = run.offsets;
@@ -26,14 +26,14 @@ double ahead(const Run& run, int k) {
     return coordinate(known->second, k);
 }
 
-double from_machine(const Run& run, int k, double machine) {
+double from_machine(const Reckoning& run, int k, double machine) {
     const bool along_tool = k == plane_axes(run.modal.plane).w;
     const double tool = along_tool && run.traits->machine_words_are_gauge_point ? gauge_length(run) : 0;
     return machine - ahead(run, k) - tool;
 }
 
 /// All axes of the block go to their home, machine coordinate 0 where the machine's file gives none.
-bool goes_home(const Run& run) {
+bool goes_home(const Moving& run) {
     for (int k = 0; k < 3; ++k) {
         const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
         const double home = axis != nullptr && axis->home ? *axis->home : 0;
@@ -49,7 +49,7 @@ constexpr double near_home = 50;
 
 /// A mill goes away from the workpiece at rapid: along its tool alone, up to about home, or beside it. Whether such a
 /// way along X and Y meets the stock the check says by the height that is known.
-bool goes_away(const Run& run) {
+bool goes_away(const Moving& run) {
     if (run.env.machine.kind != shop::MachineKind::mill || run.modal.motion != Modal::rapid) return false;
     const int w = plane_axes(run.modal.plane).w;
     geom::Vec3 upright;
@@ -69,7 +69,7 @@ bool goes_away(const Run& run) {
            run.block.peek(code) * word_factor(run, w, run.block.ref(code)) >= home - near_home;
 }
 
-void assume_away(Run& run) {
+void assume_away(Reckoning& run) {
     assume(run, run.here(),
            "a position in machine coordinates is taken to lie away from the workpiece, as home does: where it is in "
            "the workpiece is not known",
@@ -77,7 +77,7 @@ void assume_away(Run& run) {
                " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 
-void unknown_machine_position(Run& run) {
+void unknown_machine_position(Moving& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
     if (known) return;
@@ -97,11 +97,11 @@ void unknown_machine_position(Run& run) {
 /// Radius compensation goes on from the contour's point in axes that a block in between did not move.
 class ContourPoint {
 public:
-    explicit ContourPoint(Run& run) : compensated_(run.path->active()), at_(run.programmed_position) {
+    explicit ContourPoint(Telling& run) : compensated_(run.path->active()), at_(run.programmed_position) {
         run.path->stop(run);
     }
     /// `moved`: bit per axis of the programmed frame.
-    void keep(Run& run, unsigned moved) const {
+    void keep(Telling& run, unsigned moved) const {
         for (int k = 0; k < 3 && compensated_; ++k)
             if ((moved >> static_cast<unsigned>(k) & 1U) == 0)
                 coordinate(run.programmed_position, k) = coordinate(at_, k);
@@ -112,7 +112,7 @@ private:
     geom::Vec3 at_;
 };
 
-void go_to(Run& run, geom::Vec3 target, bool rapid) {
+void go_to(Telling& run, geom::Vec3 target, bool rapid) {
     run.position = target;
     run.programmed_position = run.frame_is_identity ? target : geom::apply(geom::inverse(run.frame), target);
     emit(run, cl::Linear{target, run.tool_axis, rapid});
@@ -121,7 +121,7 @@ void go_to(Run& run, geom::Vec3 target, bool rapid) {
 }  // namespace
 
 /// G74 and G75: the axes of the block go to their reference point.
-bool reference_point(Run& run) {
+bool reference_point(Moving& run) {
     flush_path(run);
     geom::Vec3 target = run.position;
     const bool fixed = run.block.special == Modal::fixed_point;
@@ -149,7 +149,7 @@ bool reference_point(Run& run) {
 }
 
 /// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
-bool machine_move(Run& run) {
+bool machine_move(Moving& run) {
     const ContourPoint contour(run);
     if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear)
         unchecked(run, codes::unsupported, run.here(),
@@ -176,7 +176,7 @@ bool machine_move(Run& run) {
 namespace {
 
 /// The tool axis' limit of travel along its own direction, mm from where the tool stands; NaN: not known here.
-double way_to_limit(const Run& run) {
+double way_to_limit(const Reckoning& run) {
     const int w = plane_axes(run.modal.plane).w;
     const shop::MachineAxis* axis = machine_axis(run, axis_name(static_cast<std::size_t>(w)));
     geom::Vec3 along;
@@ -189,7 +189,7 @@ double way_to_limit(const Run& run) {
 
 /// M140 MB: away from the workpiece along the tool axis before the block's own motion. Source: iTNC 530 User's Manual,
 /// "Retraction from the contour in the tool-axis direction: M140"; effective at the start of the block.
-void retract_tool(Run& run) {
+void retract_tool(Moving& run) {
     constexpr int to_limit = 2;
     const BlockWords& b = run.block;
     const ContourPoint contour(run);

@@ -14,7 +14,7 @@ namespace obrys::interp {
 
 using cl::SettingKind;
 
-void set_plane(Run& run, int plane) {
+void set_plane(Moving& run, int plane) {
     tell(run, SettingKind::plane, plane);
     if (run.modal.plane == plane) return;
     run.block.changes_plane = true;
@@ -25,7 +25,7 @@ void set_plane(Run& run, int plane) {
 
 namespace {
 
-void set_feed_mode(Run& run, cl::FeedMode mode) {
+void set_feed_mode(Reckoning& run, cl::FeedMode mode) {
     if (run.traits->needs_feed) run.feed_valid = false;  // also where the mode stays
     if (run.modal.feed_mode == mode) return;
     run.modal.feed_mode = mode;
@@ -34,7 +34,7 @@ void set_feed_mode(Run& run, cl::FeedMode mode) {
 }
 
 /// G97 without S keeps the speed that G96 had reached at this X (Siemens, NC programming 12/2019, p. 99).
-void keep_reached_speed(Run& run) {
+void keep_reached_speed(Reckoning& run) {
     SpindleState& s = run.spindle;
     s.surface = s.speed;
     const double x = std::abs(run.programmed_position.x);
@@ -44,7 +44,7 @@ void keep_reached_speed(Run& run) {
 }
 
 /// G96 G961 G962 and G97 G971 G972 G973: `number` says which; the last digit pair decides the kind of feed.
-void set_surface_speed(Run& run, bool on, int number) {
+void set_surface_speed(Moving& run, bool on, int number) {
     if (on != run.modal.surface_speed) {
         if (on)
             run.spindle.speed = run.spindle.surface;  // whether one was said before: the reader of S asks
@@ -62,7 +62,7 @@ void set_surface_speed(Run& run, bool on, int number) {
 
 /// G94 and G95 stand in one group with G96: they end it (SINUMERIK Programming Manual Fundamentals, G96). Easily
 /// missed.
-void plain_feed(Run& run, cl::FeedMode mode) {
+void plain_feed(Moving& run, cl::FeedMode mode) {
     if (!run.traits->feed_mode_ends_surface_speed) return set_feed_mode(run, mode);
     if (run.modal.surface_speed)
         assume(
@@ -73,33 +73,33 @@ void plain_feed(Run& run, cl::FeedMode mode) {
     set_feed_mode(run, mode);
 }
 
-void change_plane(Run& run, int plane) {
+void change_plane(Moving& run, int plane) {
     if (plane != run.modal.plane) leave_compensation(run, "the working plane changes");
     run.modal.plane_said = true;
     if (!run.stopped) set_plane(run, plane);
 }
 
 /// G53 whose coordinates are ways (G91), where the control takes no notice of it.
-void say_ignored_machine_position(Run& run, const program::Word& w) {
+void say_ignored_machine_position(Reckoning& run, const program::Word& w) {
     unchecked(run, base::codes::assumption, run.unit().span(*run.statement, w),
               "G53 with incremental coordinates is ignored by the control: the block moves from where the tool is",
               "write G90 before it, or absolute coordinates");
 }
 
 /// The block moves so, whatever is in force, and what is in force stays.
-void move_once(Run& run, Modal m) {
+void move_once(Moving& run, Modal m) {
     if (!run.block.motion_behind) run.block.motion_behind = run.modal.motion;
     run.modal.motion = m;
 }
 
 /// `straight`: a straight block is a rapid then; else the block is an arc, or says so itself.
-void rapid_block(Run& run, bool straight) {
+void rapid_block(Moving& run, bool straight) {
     if (straight && run.modal.motion == Modal::linear) return move_once(run, Modal::rapid);
     run.block.rapid = true;
 }
 
 /// `number` is 0 (Klartext: the block says all of it), or made of program::paraxial_… (DIN/ISO G07).
-void paraxial_block(Run& run, int number) {
+void paraxial_block(Moving& run, int number) {
     run.block.paraxial = Modal::paraxial;
     if (number == 0) return;
     move_once(run, (number & program::paraxial_rapid) != 0 ? Modal::rapid : Modal::linear);
@@ -107,7 +107,7 @@ void paraxial_block(Run& run, int number) {
 }
 
 /// Motion, plane and what acts in this block only. False where `m` is none of them.
-bool motion_word(Run& run, Modal m, const program::Word& w) {
+bool motion_word(Moving& run, Modal m, const program::Word& w) {
     const bool of_path = m <= Modal::tap_retract || m == Modal::arc_same_sense;
     if (of_path && program::modal_number(w) == program::polar_path) run.block.polar_path = true;
     if (m <= Modal::tap_retract) {
@@ -153,7 +153,7 @@ bool motion_word(Run& run, Modal m, const program::Word& w) {
 }
 
 /// L of G41.1 and G42.1; without it the nose has no tip of its own.
-bool take_orientation(Run& run) {
+bool take_orientation(Moving& run) {
     const BlockWords& b = run.block;
     const double l = b.has(Code::l) ? b.get(Code::l) : 0;
     const auto orientation = base::whole<int>(l, 0, 9);
@@ -168,7 +168,7 @@ bool take_orientation(Run& run) {
     return false;
 }
 
-void set_compensation(Run& run, Modal m) {
+void set_compensation(Moving& run, Modal m) {
     ModalState& state = run.modal;
     state.paraxial = Modal::paraxial;
     refuse_other_side(run, m);
@@ -193,14 +193,14 @@ void set_compensation(Run& run, Modal m) {
 }
 
 /// G187 of Haas: so much is a corner rounded at most; without E by the machine's setting 85.
-void set_corner_rounding(Run& run) {
+void set_corner_rounding(Moving& run) {
     const BlockWords& b = run.block;
     const double e = b.has(Code::p) ? std::abs(b.get(Code::p)) * length_unit(run.modal) : HUGE_VAL;
     run.modal.tolerance_by = b.has(Code::p) ? "the accuracy control with E" : "the accuracy control without E";
     run.modal.tolerance_cycle = std::isnan(e) ? HUGE_VAL : e;
 }
 
-void set_path_mode(Run& run, Modal m, int number) {
+void set_path_mode(Moving& run, Modal m, int number) {
     if (m == Modal::path_blend && number == 187) return set_corner_rounding(run);
     ModalState& state = run.modal;
     const BlockWords& b = run.block;
@@ -213,14 +213,14 @@ void set_path_mode(Run& run, Modal m, int number) {
     tell_joining(run, false);
 }
 
-bool names_axis(const Run& run) {
+bool names_axis(const Moving& run) {
     for (std::size_t k = 0; k < 9; ++k)
         if (run.block.has(axis_code(static_cast<int>(k)))) return true;
     return false;
 }
 
 /// Offsets and stored positions: they take the axis words of the block. False where `m` is none of them.
-bool offset_word(Run& run, Modal m, int number) {
+bool offset_word(Moving& run, Modal m, int number) {
     BlockWords& b = run.block;
     switch (m) {
         case Modal::tool_length_added:
@@ -262,7 +262,7 @@ bool offset_word(Run& run, Modal m, int number) {
 }
 
 /// Motion words whose number matters, and what goes with canned cycles. False where `m` is none of them.
-bool numbered_motion_word(Run& run, Modal m, int number) {
+bool numbered_motion_word(Moving& run, Modal m, int number) {
     ModalState& state = run.modal;
     switch (m) {
         case Modal::canned:
@@ -302,14 +302,14 @@ bool numbered_motion_word(Run& run, Modal m, int number) {
 }
 
 /// Tells a mode that has changed.
-void tell_changed(Run& run, SettingKind kind, bool before, bool now) {
+void tell_changed(Telling& run, SettingKind kind, bool before, bool now) {
     if (before != now) tell(run, kind, now);
 }
 
 /// Sources: FANUC B-63944EN/02 page 192: at the beginning of the program, not to be switched during it; Haas: must be
 /// what Setting 9 says (96-8000, G20/G21).
 /// HEIDENHAIN: the head says the unit of the whole program. `inside`: a G70 or G71 elsewhere.
-void say_changed_unit(Run& run, bool changes, bool inside) {
+void say_changed_unit(Telling& run, bool changes, bool inside) {
     const bool in_use = run.moved && (run.modal.unit_said || run.feed_valid);  // G28 before the first G21 is usual
     run.modal.unit_said = true;
     if (!changes || !in_use || (!inside && !run.traits->unit_before_motion)) return;
@@ -320,7 +320,7 @@ void say_changed_unit(Run& run, bool changes, bool inside) {
 }
 
 /// Units, absolute and incremental, diameters. False where `m` is none of them.
-bool dimension_word(Run& run, Modal m, int number) {
+bool dimension_word(Telling& run, Modal m, int number) {
     ModalState& state = run.modal;
     switch (m) {
         case Modal::arc_centre_absolute:
@@ -362,7 +362,7 @@ bool dimension_word(Run& run, Modal m, int number) {
 namespace {
 
 /// A zero offset that is kept in parameters.
-void select_kept_datum(Run& run, std::uint32_t number) {
+void select_kept_datum(Telling& run, std::uint32_t number) {
     const int place = static_cast<int>(place_of_datum(number));
     if (run.modal.datum == number) return tell(run, SettingKind::datum_kept, place);
     flush_path(run);
@@ -378,7 +378,7 @@ void select_kept_datum(Run& run, std::uint32_t number) {
 
 }  // namespace
 
-void set_datum(Run& run, std::uint32_t number) {
+void set_datum(Telling& run, std::uint32_t number) {
     if (run.modal.datum != number) run.datum_complained = false;
     if (keeps_offsets(run)) return select_kept_datum(run, number);
     if (run.modal.datum == number) return;
@@ -388,7 +388,7 @@ void set_datum(Run& run, std::uint32_t number) {
     update_frame(run);
 }
 
-bool apply_mode(Run& run, Modal m, int number) {
+bool apply_mode(Calling& run, Modal m, int number) {
     ModalState& state = run.modal;
     if (dimension_word(run, m, number)) return true;
     if (m >= Modal::canned && (offset_word(run, m, number) || numbered_motion_word(run, m, number))) return true;
@@ -450,19 +450,19 @@ bool apply_mode(Run& run, Modal m, int number) {
     }
 }
 
-void settle_motion(Run& run) {
+void settle_motion(Moving& run) {
     if (run.block.motion_behind) run.modal.motion = *run.block.motion_behind;
     run.block.motion_behind.reset();
 }
 
-void hold_plane(Run& run) {
+void hold_plane(Reckoning& run) {
     if (run.traits->compensation_holds_plane.empty() || run.modal.compensation == Modal::compensation_off) return;
     alarm(run, base::codes::compensation, run.here(),
           "the plane changes while radius compensation is on" + of_alarm(run.traits->compensation_holds_plane),
           "write G40 before it");
 }
 
-void modal_word(Run& run, const program::Word& w) {
+void modal_word(Calling& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     refuse_modal(run, w);
     repeated_group(run, w);

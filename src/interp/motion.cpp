@@ -30,13 +30,13 @@ std::uint64_t words_of_orientation(const BlockWords& b) {
 }
 
 /// An axis the machine file does not list: moved all the same, but said.
-void require_axis(Run& run, const std::string& name) {
+void require_axis(Saying& run, const std::string& name) {
     if (run.env.machine.axes.empty() || run.env.machine.more_axes || machine_axis(run, name) != nullptr) return;
     unchecked(run, codes::unknown_word, run.here(), "the machine " + run.env.machine.name + " has no axis " + name,
               "name the right machine in the job, or add the axis to its file");
 }
 
-void extra_axis(Run& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
+void extra_axis(Telling& run, const std::string& name, double value, std::uint8_t reference, bool rotary_by_letter) {
     require_axis(run, name);
     if (run.surface.kind != SurfaceMode::Kind::none && name == "C")
         return unchecked(run, codes::unsupported, run.here(),
@@ -65,7 +65,7 @@ void extra_axis(Run& run, const std::string& name, double value, std::uint8_t re
 
 }  // namespace
 
-void extra_axes(Run& run) {
+void extra_axes(Moving& run) {
     const BlockWords& b = run.block;
     const std::optional<Rotary> before = tilted(run) ? std::optional(rotary(run)) : std::nullopt;
     if ((b.present & other_axes) != 0) {
@@ -87,7 +87,7 @@ bool is_way_round(std::uint8_t reference) {
            reference <= 1 + static_cast<std::uint8_t>(Reference::negative);
 }
 
-void refuse_way_round(Run& run, int axis) {
+void refuse_way_round(Saying& run, int axis) {
     const std::string name(1, "XYZ"[axis]);
     if (const shop::MachineAxis* known = machine_axis(run, name); known != nullptr && known->rotary) return;
     alarm(run, codes::value_range, run.here(),
@@ -96,7 +96,7 @@ void refuse_way_round(Run& run, int axis) {
 }
 
 /// Target of the linear axes in the programmed frame.
-geom::Vec3 cartesian_target(Run& run) {
+geom::Vec3 cartesian_target(Moving& run) {
     const BlockWords& b = run.block;
     geom::Vec3 to = run.programmed_position;
     for (int k = 0; k < 3; ++k) {
@@ -114,7 +114,7 @@ geom::Vec3 cartesian_target(Run& run) {
     return to;
 }
 
-void dwell(Run& run) {
+void dwell(Moving& run) {
     const BlockWords& b = run.block;
     cl::Dwell d;
     if (b.has(Code::p))
@@ -135,19 +135,19 @@ void dwell(Run& run) {
 
 }  // namespace
 
-void arrive(Run& run, const geom::Vec3& target) {
+void arrive(Reckoning& run, const geom::Vec3& target) {
     run.programmed_position = target;
     run.position = run.frame_is_identity ? target : geom::apply(run.frame, target);
 }
 
-void require_feed(Run& run) {
+void require_feed(Telling& run) {
     if (run.spindle.doubtful) judge_stop(run);
     if (run.feed_valid || !run.feed_dropped) return;
     run.feed_dropped = false;
     emit(run, cl::Feed{0, run.modal.feed_mode});
 }
 
-geom::Vec3 programmed_target(Run& run) {
+geom::Vec3 programmed_target(Moving& run) {
     const geom::Vec3 to = cartesian_target(run);
     return (run.block.present & polar) != 0 ? polar_target(run, to) : to;
 }
@@ -155,7 +155,7 @@ geom::Vec3 programmed_target(Run& run) {
 namespace {
 
 /// R+ and R-: the path along the axis is longer or shorter by the tool's radius (compensation of paraxial blocks).
-geom::Vec3 lengthened(Run& run, geom::Vec3 to) {
+geom::Vec3 lengthened(Moving& run, geom::Vec3 to) {
     const double radius = active_radius(run);
     if (std::isnan(radius))
         unchecked(run, codes::unknown_value, run.here(),
@@ -181,7 +181,7 @@ cl::Seek sought(int number) {
 }
 
 /// G38.2 …: the move is run to its end; what it touches is not known here.
-bool probe(Run& run) {
+bool probe(Moving& run) {
     flush_path(run);
     unchecked(run, codes::unsupported, run.here(),
               "probing is not simulated: the move is run to its end, and what it finds is not known");
@@ -195,7 +195,7 @@ bool probe(Run& run) {
     return true;
 }
 
-bool path_motion(Run& run) {
+bool path_motion(Moving& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
     geom::Vec3 to = programmed_target(run);
@@ -222,7 +222,7 @@ namespace {
 
 /// A block that goes home, or to a machine position, names no place in the workpiece: it does not choose the zero in
 /// which stock and part are.
-bool names_no_place(const Run& run) {
+bool names_no_place(const Moving& run) {
     if (run.moved || !keeps_offsets(run) || run.env.tell_settings) return false;
     if (run.block.suppress == Modal::suppress_all) return true;
     if (run.block.special != Modal::home) return false;
@@ -232,13 +232,13 @@ bool names_no_place(const Run& run) {
 }
 
 /// The block's places are those of the machine, whatever zero offset is in force.
-bool goes_by_machine(const Run& run) {
+bool goes_by_machine(const Moving& run) {
     return run.block.suppress == Modal::suppress_all || run.block.special == Modal::reference_point ||
            run.block.special == Modal::fixed_point;
 }
 
 /// Once for each time that the program selects the zero offset.
-void say_unknown_way(Run& run) {
+void say_unknown_way(Telling& run) {
     run.datum_complained = run.capture == nullptr;
     const program::Traits& t = *run.traits;
     const std::string active = program::datum_name(t, run.modal.datum),
@@ -266,7 +266,7 @@ void say_unknown_way(Run& run) {
 
 }  // namespace
 
-void begin_motion(Run& run) {
+void begin_motion(Moving& run) {
     if (names_no_place(run)) return;
     run.moved = true;
     emit_frame(run);
@@ -274,27 +274,27 @@ void begin_motion(Run& run) {
     if (!run.datum_known && !run.datum_complained && !goes_by_machine(run)) say_unknown_way(run);
 }
 
-bool is_incremental(const Run& run, std::uint8_t reference) {
+bool is_incremental(const Reckoning& run, std::uint8_t reference) {
     if (reference == 0) return !run.modal.absolute;
     return reference == 1 + static_cast<std::uint8_t>(Reference::incremental) ||
            reference == 1 + static_cast<std::uint8_t>(Reference::diameter_incremental) ||
            reference == 1 + static_cast<std::uint8_t>(Reference::radius_incremental);
 }
 
-const shop::MachineAxis* machine_axis(const Run& run, const std::string& name) {
+const shop::MachineAxis* machine_axis(const Saying& run, const std::string& name) {
     for (const shop::MachineAxis& a : run.env.machine.axes)
         if (a.name == name) return &a;
     return nullptr;
 }
 
-double length_factor(const Run& run, int axis, bool incremental) {
+double length_factor(const Reckoning& run, int axis, bool incremental) {
     double factor = length_unit(run.modal);
     if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
     if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
     return factor * 0.5;
 }
 
-double word_factor(const Run& run, int axis, std::uint8_t reference) {
+double word_factor(const Reckoning& run, int axis, std::uint8_t reference) {
     if (reference <= 1 + static_cast<std::uint8_t>(Reference::negative))
         return length_factor(run, axis, is_incremental(run, reference));
     const bool diameter = reference == 1 + static_cast<std::uint8_t>(Reference::diameter_absolute) ||
@@ -305,7 +305,7 @@ double word_factor(const Run& run, int axis, std::uint8_t reference) {
 namespace {
 
 /// G80 ends the cycle, and the controls' descriptions differ in which motion then holds: rapid, or the one before.
-void say_rapid_by_cancel(Run& run) {
+void say_rapid_by_cancel(Reckoning& run) {
     run.modal.rapid_by_cancel = false;
     assume(run, run.here(),
            "behind G80 the axes are taken to move in rapid traverse, though G1, G2 or G3 was in force before the cycle",
@@ -317,7 +317,7 @@ void say_rapid_by_cancel(Run& run) {
 namespace {
 
 /// Under G93 a feed says how long its own block takes. Controls whose missing feed is an alarm have raised it.
-void judge_inverse_feed(Run& run) {
+void judge_inverse_feed(Moving& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
     const bool feeds = (m == Modal::linear || m == Modal::arc_cw || m == Modal::arc_ccw) && !b.rapid;
@@ -329,7 +329,7 @@ void judge_inverse_feed(Run& run) {
 
 }  // namespace
 
-bool motion(Run& run) {
+bool motion(Cycling& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::dwell) {
         dwell(run);
@@ -394,7 +394,7 @@ bool motion(Run& run) {
     return path_motion(run);
 }
 
-bool needs_path_stage(const Run& run) {
+bool needs_path_stage(const Moving& run) {
     constexpr std::uint64_t corners = bit(Code::chamfer_length) | bit(Code::chamfer_leg) | bit(Code::round);
     return run.path->active() || run.modal.compensation != Modal::compensation_off ||
            (run.block.present & corners) != 0 || run.modal.round_modal > 0;
@@ -417,7 +417,7 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
 
 }  // namespace
 
-void capture(Run& run, const path::Element& e, bool rapid) {
+void capture(Moving& run, const path::Element& e, bool rapid) {
     const double unit = length_unit(run.modal);
     const bool sized = run.look == Look::turned_subprogram;
     const auto size = [&](Code c) { return sized && run.block.has(c) ? run.block.get(c) * unit : 0; };
@@ -425,7 +425,7 @@ void capture(Run& run, const path::Element& e, bool rapid) {
                             run.top().stack, size(Code::a), size(Code::c), angle_of_whole_line(run)});
 }
 
-void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
+void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
@@ -445,7 +445,7 @@ void straight_motion(Run& run, const geom::Vec3& to, bool rapid) {
     plane_element(run, straight_element(at, to, a), to, rapid);
 }
 
-double programmed_coordinate(const Run& run, const std::string& axis) {
+double programmed_coordinate(const Reckoning& run, const std::string& axis) {
     for (int k = 0; k < 3; ++k)
         if (axis.size() == 1 && axis[0] == "XYZ"[k])
             return coordinate(run.programmed_position, k) / length_factor(run, k, false);

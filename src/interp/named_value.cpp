@@ -14,7 +14,7 @@ namespace obrys::interp {
 namespace codes = base::codes;
 using program::NamedKind;
 
-std::optional<std::string> machine_axis_name(const Run& run, const std::string& name) {
+std::optional<std::string> machine_axis_name(const Saying& run, const std::string& name) {
     constexpr std::string_view letters = "XYZABCUVW";
     const auto digits_from = [&](std::size_t at) {
         return name.size() > at && name.find_first_not_of("0123456789", at) == std::string::npos;
@@ -39,7 +39,7 @@ std::uint8_t reference_of(const program::Expr& e) {
 namespace {
 
 /// POS[X]=, POSA[C]=: linear axes move on their own, others are additional axes as if they stood in the block.
-void position(Run& run, const program::Named& n) {
+void position(Moving& run, const program::Named& n) {
     const std::string written = axis_of(run, n.index);
     const std::string axis = machine_axis_name(run, written).value_or(written);
     if (run.stopped) return;
@@ -59,7 +59,7 @@ void position(Run& run, const program::Named& n) {
     }
 }
 
-void axis_feed(Run& run, const program::Named& n) {
+void axis_feed(Reckoning& run, const program::Named& n) {
     const std::string written = axis_of(run, n.index);
     const double feed = number(run, n.value);
     if (run.stopped) return;
@@ -74,7 +74,7 @@ void axis_feed(Run& run, const program::Named& n) {
 }
 
 /// The sum offset is among the tool's data: what it holds is known where the program wrote it alone.
-void sum_offset(Run& run, double number) {
+void sum_offset(Reckoning& run, double number) {
     if (number == 0) return;
     unchecked_once(run, codes::unknown_value, run.here(),
                    "DL=" + printed(Value::real(number)) + ": the sum offset of T" + std::to_string(run.tool.number) +
@@ -97,7 +97,7 @@ bool is_of_spindle(Code plain) {
 
 /// A word of another spindle than the master. That of a mill may be the one with the tool in it, on lathes the master
 /// turns what is cut.
-void word_of_other_spindle(Run& run, const program::Named& n, double extension) {
+void word_of_other_spindle(Reckoning& run, const program::Named& n, double extension) {
     const std::string name = extended_name(run.env.names.text(n.name), extension);
     if (n.plain == Code::tool || n.plain == Code::edge) {
         static_cast<void>(evaluate(run, n.value));
@@ -123,7 +123,7 @@ void word_of_other_spindle(Run& run, const program::Named& n, double extension) 
 }
 
 /// S2=, M2=, T[1]=, H1=, F[X]=: extended addresses. The extension of the master spindle, and 0, act as none.
-void extended_value(Run& run, const program::Statement& s, const program::Word& w, const program::Named& n) {
+void extended_value(Calling& run, const program::Statement& s, const program::Word& w, const program::Named& n) {
     const std::string& letters = run.env.names.text(n.name);
     const Value index = n.index == program::no_expr ? Value::real(0) : evaluate(run, n.index);
     if (run.stopped) return;
@@ -147,7 +147,7 @@ void extended_value(Run& run, const program::Statement& s, const program::Word& 
 }
 
 /// X[2]=: the axis X2.
-std::string numbered_axis(Run& run, const program::Named& n) {
+std::string numbered_axis(Reckoning& run, const program::Named& n) {
     const std::string& letter = run.env.names.text(n.name);
     const Value index = evaluate(run, n.index);
     const auto number = index.is_text() || index.is_unknown() ? std::nullopt : base::whole<int>(index.number, 0, 99);
@@ -155,7 +155,7 @@ std::string numbered_axis(Run& run, const program::Named& n) {
     return *number == 0 ? letter : letter + std::to_string(*number);
 }
 
-void special_value(Run& run, const program::Named& n) {
+void special_value(Moving& run, const program::Named& n) {
     if (n.kind == NamedKind::position || n.kind == NamedKind::position_meanwhile) return position(run, n);
     if (n.kind == NamedKind::axis_feed) return axis_feed(run, n);
     const double v = number(run, n.value);
@@ -184,12 +184,12 @@ void special_value(Run& run, const program::Named& n) {
 
 }  // namespace
 
-void named_value(Run& run, const program::Statement& s, const program::Word& w) {
+void named_value(Calling& run, const program::Statement& s, const program::Word& w) {
     const program::Named& n = run.unit().named[static_cast<std::size_t>(w.payload)];
     return n.kind == NamedKind::extended ? extended_value(run, s, w, n) : special_value(run, n);
 }
 
-void named_axis(Run& run, const program::Named& n, const base::Span& where) {
+void named_axis(Moving& run, const program::Named& n, const base::Span& where) {
     const std::string& written = run.env.names.text(n.name);
     std::string axis = written;
     if (n.index != program::no_expr) axis = written == "AX" ? axis_of(run, n.index) : numbered_axis(run, n);

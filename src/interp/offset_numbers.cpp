@@ -17,7 +17,7 @@ namespace codes = base::codes;
 namespace {
 
 /// What an expression gives for H or D may be no number of an offset.
-double offset_number(Run& run, Code letter) {
+double offset_number(Moving& run, Code letter) {
     const double n = run.block.get(letter);
     if (std::isfinite(n) && !base::whole<std::int32_t>(n))
         alarm(run, codes::value_range, run.here(),
@@ -28,7 +28,7 @@ double offset_number(Run& run, Code letter) {
 
 }  // namespace
 
-std::optional<double> length_number(Run& run) {
+std::optional<double> length_number(Moving& run) {
     const BlockWords& b = run.block;
     double& kept = run.offsets.number;
     if (b.has(Code::offset_h)) return kept = offset_number(run, Code::offset_h);
@@ -41,7 +41,7 @@ std::optional<double> length_number(Run& run) {
     return std::nullopt;
 }
 
-void take_radius_number(Run& run) {
+void take_radius_number(Moving& run) {
     const BlockWords& b = run.block;
     double& kept = run.modal.offset_d;
     if (b.has(Code::offset_d)) {
@@ -56,7 +56,7 @@ void take_radius_number(Run& run) {
               "write D beside G41 or G42");
 }
 
-void keep_offset_numbers(Run& run) {
+void keep_offset_numbers(Moving& run) {
     BlockWords& b = run.block;
     const auto waits = [&](Code c) { return b.has(c) && (b.used >> static_cast<unsigned>(c) & 1u) == 0; };
     if (waits(Code::offset_d) && run.modal.compensation == Modal::compensation_off)

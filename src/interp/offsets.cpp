@@ -18,12 +18,12 @@ using cl::SettingKind;
 namespace {
 
 /// mm (degrees) of a parameter that holds a coordinate of this axis.
-double stored(const Run& run, std::uint32_t parameter, std::size_t axis) {
+double stored(const Reckoning& run, std::uint32_t parameter, std::size_t axis) {
     return run.parameters.get(parameter) * stored_unit(run, axis);
 }
 
 /// What is added to every zero offset, mm (degrees).
-double external(const Run& run, std::size_t axis) {
+double external(const Reckoning& run, std::size_t axis) {
     const std::uint32_t first = run.traits->offsets.external_first;
     return first == 0 ? 0 : stored(run, first + static_cast<std::uint32_t>(axis), axis);
 }
@@ -31,14 +31,14 @@ double external(const Run& run, std::size_t axis) {
 /// The number of no tool: an H that no tool list can have.
 constexpr std::uint32_t no_listed_tool = 0xFFFFFFFF;
 
-const shop::Tool* listed_tool(const Run& run, double number) {
+const shop::Tool* listed_tool(const Reckoning& run, double number) {
     for (const shop::Tool& t : run.tools)
         if (t.number == number) return &t;
     return nullptr;
 }
 
 /// What G43 means: the axes of tool H, of the one in the spindle, or nothing where it is not known.
-std::optional<Axes> length_of_block(Run& run) {
+std::optional<Axes> length_of_block(Moving& run) {
     const std::optional<double> h = length_number(run);
     if (h && *h == 0) return Axes{};
     if (h && std::isnan(*h)) {
@@ -61,7 +61,7 @@ std::optional<Axes> length_of_block(Run& run) {
     return std::nullopt;
 }
 
-void keep_shift(Run& run) {
+void keep_shift(Reckoning& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     if (p.shift_first == 0) return;
     for (std::size_t k = 0; k < 9; ++k)
@@ -69,14 +69,14 @@ void keep_shift(Run& run) {
     run.parameters.set(p.shift_active, 1);
 }
 
-void take_shift(Run& run) {
+void take_shift(Reckoning& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     for (std::size_t k = 0; k < 9 && p.shift_first != 0; ++k)
         run.offsets.shift[k] = stored(run, p.shift_first + static_cast<std::uint32_t>(k), k);
 }
 
 /// G92 where the machine's place is not known: it makes the frame in which the job's bodies lie, or another one.
-void say_unknown_places(Run& run) {
+void say_unknown_places(Moving& run) {
     std::string axes;
     for (std::size_t k = 0; k < 9; ++k) {
         if (!axis_word(run, k) || !std::isnan(axis_coordinate(run, k))) continue;
@@ -96,7 +96,7 @@ void say_unknown_places(Run& run) {
 }
 
 /// What G92 has shifted ends, and was from a place not known.
-void say_unknown_return(Run& run) {
+void say_unknown_return(Reckoning& run) {
     if (run.offsets.from_unknown == 0) return;
     run.offsets.from_unknown = 0;
     unchecked(run, codes::unknown_value, run.here(),
@@ -107,7 +107,7 @@ void say_unknown_return(Run& run) {
 
 /// G92.1, G92.2, G92.3 and G52 end the shift in force: where the program has not said which that is, it is the one from
 /// before it, which LinuxCNC keeps in its var file.
-void say_shift_from_before(Run& run, Modal m) {
+void say_shift_from_before(Telling& run, Modal m) {
     const std::uint32_t first = run.traits->offsets.shift_first;
     if (first == 0 || m == Modal::position_becomes) return;
     const bool said = run.offsets.shift_said || run.env.stored != nullptr || run.env.tell_settings;
@@ -124,7 +124,7 @@ void say_shift_from_before(Run& run, Modal m) {
 }
 
 /// G92: where the axis stands is `to` from now on. A machine whose place is not known stands there by definition.
-void becomes(Run& run, std::size_t k, double to) {
+void becomes(Reckoning& run, std::size_t k, double to) {
     const double at = axis_coordinate(run, k);
     if (!std::isnan(at)) {
         run.offsets.shift[k] += at - to;
@@ -137,7 +137,7 @@ void becomes(Run& run, std::size_t k, double to) {
 }
 
 /// The coordinates of an additional axis count from another place of the machine; it stands where it stood.
-void count_from(Run& run, std::size_t k, double datum) {
+void count_from(Telling& run, std::size_t k, double datum) {
     const double by = run.offsets.reference[k] - datum;
     const auto at = run.extra_axes.find(axis_name(k));
     if (by == 0 || at == run.extra_axes.end()) return;
@@ -150,7 +150,7 @@ void count_from(Run& run, std::size_t k, double datum) {
 namespace {
 
 /// Parameter that holds X of a zero offset; nothing for one that is kept nowhere.
-std::optional<std::uint32_t> first_of_datum(const Run& run, std::uint32_t number) {
+std::optional<std::uint32_t> first_of_datum(const Saying& run, std::uint32_t number) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t place = place_of_datum(number) - 1;
     if (place < p.datum_count) return p.datum_first + place * p.datum_step;
@@ -160,10 +160,10 @@ std::optional<std::uint32_t> first_of_datum(const Run& run, std::uint32_t number
 
 constexpr std::size_t rotation_about_z = 9;  // behind the axes
 
-bool holds_all(const Run& run) { return run.env.stored != nullptr || run.env.tell_settings; }
+bool holds_all(const Saying& run) { return run.env.stored != nullptr || run.env.tell_settings; }
 
 /// What a zero offset has for this axis (or as its rotation) is known; what the job leaves out is 0.
-bool holds(const Run& run, std::uint32_t datum, std::size_t axis) {
+bool holds(const Reckoning& run, std::uint32_t datum, std::size_t axis) {
     if (holds_all(run) || run.env.machine.datums.contains(datum)) return true;
     const std::uint32_t behind =
         axis == rotation_about_z ? run.traits->offsets.rotation : static_cast<std::uint32_t>(axis);
@@ -171,13 +171,13 @@ bool holds(const Run& run, std::uint32_t datum, std::size_t axis) {
     return first && (axis != rotation_about_z || behind != 0) && run.parameters.is_set(*first + behind);
 }
 
-bool holds_external(const Run& run, std::size_t axis) {
+bool holds_external(const Reckoning& run, std::size_t axis) {
     const std::uint32_t first = run.traits->offsets.external_first;
     return holds_all(run) || (first != 0 && run.parameters.is_set(first + static_cast<std::uint32_t>(axis)));
 }
 
 /// What is known before anything has moved.
-void note_given(Run& run) {
+void note_given(Reckoning& run) {
     Offsets& o = run.offsets;
     for (std::size_t k = 0; k < o.given.size(); ++k) o.given[k] = holds(run, run.reference_datum, k);
     for (std::size_t k = 0; k < o.external_given.size(); ++k) o.external_given[k] = holds_external(run, k);
@@ -185,7 +185,7 @@ void note_given(Run& run) {
 
 /// How far the active zero offset lies from the one in which the moves before are. A value that is written over one
 /// that nobody knows says nothing about that, though both are offsets of the same name.
-bool is_place_known(const Run& run) {
+bool is_place_known(const Reckoning& run) {
     const Offsets& o = run.offsets;
     for (std::size_t k = 0; k < o.external_given.size(); ++k)
         if (holds_external(run, k) && !o.external_given[k]) return false;
@@ -201,11 +201,11 @@ bool is_place_known(const Run& run) {
 
 }  // namespace
 
-bool is_datum_given(const Run& run, std::uint32_t datum, std::size_t axis) { return holds(run, datum, axis); }
+bool is_datum_given(const Reckoning& run, std::uint32_t datum, std::size_t axis) { return holds(run, datum, axis); }
 
-bool is_datum_given(const Run& run, std::size_t axis) { return holds(run, run.reference_datum, axis); }
+bool is_datum_given(const Reckoning& run, std::size_t axis) { return holds(run, run.reference_datum, axis); }
 
-bool is_datum_given(const Run& run) {
+bool is_datum_given(const Reckoning& run) {
     bool given = false;
     for (std::size_t k = 0; k < 3; ++k) given = given || is_datum_given(run, k);
     return given;
@@ -215,7 +215,7 @@ namespace {
 
 /// What the job says of zero offsets stands in their parameters, where nothing else says what these hold: programs read
 /// them there, and change single axes.
-void take_job_datums(Run& run) {
+void take_job_datums(Reckoning& run) {
     for (const auto& [number, origin] : run.env.machine.datums) {
         const auto first = first_of_datum(run, number);
         for (std::uint32_t k = 0; first && k < 3; ++k)
@@ -230,7 +230,7 @@ void take_job_datums(Run& run) {
 namespace {
 
 /// As say_unknown_way says: a zero whose way from the one before is not known is that one.
-void take_as_reference(Run& run) {
+void take_as_reference(Telling& run) {
     Offsets& o = run.offsets;
     if (!run.moved || run.datum_known || run.modal.datum == run.reference_datum) return;
     for (std::size_t k = 0; k < 3; ++k)
@@ -239,7 +239,7 @@ void take_as_reference(Run& run) {
 
 }  // namespace
 
-void load_datum(Run& run) {
+void load_datum(Telling& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t place = place_of_datum(run.modal.datum) - 1;
     const auto held = first_of_datum(run, run.modal.datum);
@@ -270,21 +270,21 @@ void load_datum(Run& run) {
         o.rotation = geom::degrees(turned->second);
 }
 
-bool holds_active_datum(const Run& run, std::uint32_t n) {
+bool holds_active_datum(const Reckoning& run, std::uint32_t n) {
     const std::uint32_t external_first = run.traits->offsets.external_first;
     if (external_first != 0 && n >= external_first && n < external_first + 9) return true;
     const auto first = first_of_datum(run, run.modal.datum);
     return first && n >= *first && n < *first + 9;
 }
 
-void datum_changed(Run& run) {
+void datum_changed(Telling& run) {
     flush_path(run);
     load_datum(run);
     tell(run, SettingKind::datum, static_cast<int>(place_of_datum(run.modal.datum)), run.offsets.datum);
     update_frame(run);
 }
 
-void begin_offsets(Run& run) {
+void begin_offsets(Telling& run) {
     const program::OffsetParameters& p = run.traits->offsets;
     take_job_datums(run);
     if (p.shift_active != 0 && run.parameters.get(p.shift_active) != 0) take_shift(run);
@@ -302,7 +302,7 @@ void begin_offsets(Run& run) {
     update_frame(run);
 }
 
-geom::Frame datum_frame(const Run& run) {
+geom::Frame datum_frame(const Reckoning& run) {
     const Offsets& o = run.offsets;
     const Axes tip = tip_in_use(o);
     const geom::Frame f = geom::Frame::shift({o.datum[0] - o.reference[0] + o.tool[0] - tip[0],
@@ -311,7 +311,7 @@ geom::Frame datum_frame(const Run& run) {
     return o.rotation == 0 ? f : f * geom::Frame::rotation(2, geom::radians(o.rotation));
 }
 
-geom::Frame offset_frame(Run& run) {
+geom::Frame offset_frame(Telling& run) {
     Offsets& o = run.offsets;
     if (!run.moved) {  // nothing is in the stream yet: it is counted from here
         for (int k = 0; k < 3; ++k)
@@ -333,13 +333,13 @@ geom::Frame offset_frame(Run& run) {
 }
 
 /// The word of the axis is an increment: by its letter (U and W of lathes) or in G91.
-bool adds(const Run& run, std::size_t k) {
+bool adds(const Moving& run, std::size_t k) {
     return run.block.ref(axis_code(static_cast<int>(k))) ==
                1 + static_cast<std::uint8_t>(program::Reference::incremental) ||
            (run.traits->position_adds_in_increments && !run.modal.absolute);
 }
 
-void shift_words(Run& run, Modal m) {
+void shift_words(Moving& run, Modal m) {
     flush_path(run);
     Offsets& o = run.offsets;
     const program::OffsetParameters& p = run.traits->offsets;
@@ -364,7 +364,7 @@ void shift_words(Run& run, Modal m) {
     update_frame(run);
 }
 
-void set_tool_offset(Run& run, const Axes& to) {
+void set_tool_offset(Telling& run, const Axes& to) {
     while_standing(run, [&] { run.offsets.tool = to; });
     tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
 }
@@ -372,7 +372,7 @@ void set_tool_offset(Run& run, const Axes& to) {
 namespace {
 
 /// Whose compensation is in force from here on.
-void take_length(Run& run, Modal m) {
+void take_length(Moving& run, Modal m) {
     using Length = Offsets::Length;
     Offsets& o = run.offsets;
     const BlockWords& b = run.block;
@@ -391,7 +391,7 @@ void take_length(Run& run, Modal m) {
 }  // namespace
 
 /// Of what take_length has taken; `by`: the values where no number says them.
-void tell_length(Run& run, const Axes& by) {
+void tell_length(Telling& run, const Axes& by) {
     const Offsets& o = run.offsets;
     cl::ToolLength length;
     if (o.length != Offsets::Length::none) {
@@ -409,7 +409,7 @@ void tell_length(Run& run, const Axes& by) {
 namespace {
 
 /// A length that nobody has given is compensated all the same.
-void tell_length_word(Run& run, Modal m) {
+void tell_length_word(Moving& run, Modal m) {
     if (m != Modal::tool_length && m != Modal::tool_length_negative) return;
     const BlockWords& b = run.block;
     const double h = b.has(Code::offset_h) ? b.peek(Code::offset_h) : run.tool.number;
@@ -423,7 +423,7 @@ void tell_length_word(Run& run, Modal m) {
 
 }  // namespace
 
-void tool_length_words(Run& run, Modal m) {
+void tool_length_words(Moving& run, Modal m) {
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
     const bool adds_axes = m == Modal::tool_length_added && run.block.special == Modal::tool_length_by_axes;
@@ -452,7 +452,7 @@ void tool_length_words(Run& run, Modal m) {
     }
 }
 
-std::optional<double> axis_word(const Run& run, std::size_t axis) {
+std::optional<double> axis_word(const Moving& run, std::size_t axis) {
     const Code code = axis_code(static_cast<int>(axis));
     if (!run.block.has(code)) return std::nullopt;
     const double v = run.block.get(code);
@@ -460,13 +460,13 @@ std::optional<double> axis_word(const Run& run, std::size_t axis) {
     return v * (axis < 3 ? length_factor(run, static_cast<int>(axis), false) : length_unit(run.modal));
 }
 
-double axis_coordinate(const Run& run, std::size_t axis) {
+double axis_coordinate(const Reckoning& run, std::size_t axis) {
     if (axis < 3) return coordinate(run.programmed_position, static_cast<int>(axis));
     const auto found = run.extra_axes.find(axis_name(axis));
     return found == run.extra_axes.end() ? unknown_number : found->second - run.offsets.total[axis];
 }
 
-double machine_coordinate(const Run& run, std::size_t axis) {
+double machine_coordinate(const Reckoning& run, std::size_t axis) {
     const Offsets& o = run.offsets;
     if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + o.reference[axis] + tip_in_use(o)[axis];
     const double at = axis_coordinate(run, axis);

@@ -10,7 +10,8 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-void print_to(Run& run, const program::ProcedureCall& p, const std::string& file, std::string_view text, bool again) {
+void print_to(Reckoning& run, const program::ProcedureCall& p, const std::string& file, std::string_view text,
+              bool again) {
     if (run.capture != nullptr) return;
     if (run.env.files != nullptr && run.env.files->print(file, text, again)) return;
     assume(run, p.where, "what the program prints to " + file + " is not written",
@@ -20,7 +21,7 @@ void print_to(Run& run, const program::ProcedureCall& p, const std::string& file
 namespace {
 
 /// A parameter by its name, as it is; one that was never set is 0.
-Value value_named(Run& run, std::string_view name) {
+Value value_named(Reckoning& run, std::string_view name) {
     const program::Traits& t = *run.traits;
     if (const std::uint32_t n = program::find_parameter(t, name); n < run.parameters.count())
         return Value::real(run.parameters.get(n));
@@ -32,7 +33,7 @@ Value value_named(Run& run, std::string_view name) {
 
 }  // namespace
 
-void print_form(Run& run, const program::ProcedureCall& p) {
+void print_form(Telling& run, const program::ProcedureCall& p) {
     if (run.capture != nullptr) return;
     const std::string name = base::to_upper(printed(evaluate(run, p.arguments[0])));
     const std::string file = printed(evaluate(run, p.arguments[1]));
@@ -56,7 +57,7 @@ void print_form(Run& run, const program::ProcedureCall& p) {
         run.printed_files.insert(file);
 }
 
-void print_values(Run& run, const program::ProcedureCall& p) {
+void print_values(Reckoning& run, const program::ProcedureCall& p) {
     if (run.capture != nullptr) return;
     std::string text;
     for (const ExprId id : p.arguments) {

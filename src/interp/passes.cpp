@@ -15,15 +15,15 @@ namespace {
 /// A loop is looked at after so many passes, and ended after so many more that cannot have been the last.
 constexpr std::uint64_t passes_before_look = 100, passes_between_looks = 1000;
 
-void end_by_budget(Run& run, const base::Span& where, std::string text, std::string remedy) {
+void end_by_budget(Saying& run, const base::Span& where, std::string text, std::string remedy) {
     unchecked(run, codes::budget, where, std::move(text), std::move(remedy));
     run.stopped = true;
     run.ending = Ending::budget;
 }
 
 /// Watches the loop from now on where nothing in it changes what its conditions ask for.
-void watch(Run& run, const Loop& loop) {
-    const RunState::WatchedLoop& w = run.watched;
+void watch(Calling& run, const Loop& loop) {
+    const WatchedLoop& w = run.watched;
     if (w.depth == run.calls.size() && w.first == loop.first && w.last == loop.last) return;  // it is
     const bool calls_between = run.modal_call.unit != nullptr;  // a program that may change anything
     if (!calls_between && why_endless(run.unit(), loop, run.env.names))
@@ -31,8 +31,8 @@ void watch(Run& run, const Loop& loop) {
 }
 
 /// True where the loop was watched long enough: the run ends.
-bool ends_endless(Run& run, const Loop& loop, std::uint64_t passes) {
-    RunState::WatchedLoop& w = run.watched;
+bool ends_endless(Calling& run, const Loop& loop, std::uint64_t passes) {
+    WatchedLoop& w = run.watched;
     const std::uint64_t most = run.env.budgets.loop_passes;
     if (w.depth == 0 || w.first != loop.first || w.last != loop.last) return false;
     if (++w.passes < passes_between_looks && passes <= most) return false;
@@ -46,7 +46,7 @@ bool ends_endless(Run& run, const Loop& loop, std::uint64_t passes) {
 
 }  // namespace
 
-void count_pass(Run& run, std::uint32_t target) {
+void count_pass(Calling& run, std::uint32_t target) {
     Activation& act = run.top();
     const auto index = static_cast<std::uint32_t>(run.statement - act.unit->statements.data());
     auto it = std::find_if(act.passes.begin(), act.passes.end(),
@@ -62,13 +62,13 @@ void count_pass(Run& run, std::uint32_t target) {
                   "check its condition; raise loop_passes in [budget] of the job if it really needs more");
 }
 
-std::string block_name(const Run& run, const base::Span& at) {
+std::string block_name(const Saying& run, const base::Span& at) {
     const auto number = run.env.sources.block_number(at.file, at.begin);
     return number ? "N" + std::to_string(*number)
                   : "line " + std::to_string(run.env.sources.position(at.file, at.begin).line);
 }
 
-std::string loop_being_run(const Run& run) {
+std::string loop_being_run(const Saying& run) {
     for (auto act = run.calls.rbegin(); act != run.calls.rend(); ++act) {
         const Activation::Passes* most = nullptr;
         for (const Activation::Passes& p : act->passes)

@@ -24,7 +24,7 @@ struct Rounding {
 std::string shown(double mm) { return base::fixed(mm, 3) + " mm"; }
 
 /// CTOL, else the tolerance of the machine's axes.
-double tolerance_of_machine(const Run& run) {
+double tolerance_of_machine(const Reckoning& run) {
     if (!std::isnan(run.modal.contour_tolerance)) return run.modal.contour_tolerance;
     const auto found = run.env.machine.machine_data.find("$MA_COMPRESS_POS_TOL");
     return found == run.env.machine.machine_data.end() ? unknown_number : found->second;
@@ -33,7 +33,7 @@ double tolerance_of_machine(const Run& run) {
 /// That of a cycle or G187; none while the control stops exactly at corners (G61). Infinite: how much is not known.
 double tolerance_in_force(const ModalState& m) { return m.path_mode == Modal::path_blend ? m.tolerance_cycle : 0; }
 
-Rounding rounding_of(const Run& run) {
+Rounding rounding_of(const Reckoning& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
     if (const double most = tolerance_in_force(m); most > 0 && !std::isfinite(most))
@@ -61,7 +61,7 @@ Rounding rounding_of(const Run& run) {
 
 }  // namespace
 
-void note_rounding(Run& run) {
+void note_rounding(Moving& run) {
     const ModalState& m = run.modal;
     const bool rapid = m.motion == Modal::rapid;
     const std::array<double, 7> mode{static_cast<double>(m.smoothing),

@@ -20,7 +20,7 @@ int PathStage::keep(const cl::Record& record) {
     return static_cast<int>(events_.size()) - 1;
 }
 
-int PathStage::feed_event(const Run& run, double feed) {
+int PathStage::feed_event(const Reckoning& run, double feed) {
     return keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
 }
 
@@ -28,7 +28,7 @@ namespace {
 
 /// A size written with a sign (Reference::incremental) says by it which way the next element goes along the axis of the
 /// plane that its block does not name.
-path::CornerRequest sized_corner(const Run& run, path::CornerKind kind, Code code) {
+path::CornerRequest sized_corner(const Moving& run, path::CornerKind kind, Code code) {
     const BlockWords& b = run.block;
     path::CornerRequest r;
     r.kind = kind;
@@ -44,7 +44,7 @@ path::CornerRequest sized_corner(const Run& run, path::CornerKind kind, Code cod
 
 }  // namespace
 
-path::CornerRequest corner_of_block(const Run& run) {
+path::CornerRequest corner_of_block(const Moving& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::chamfer_length)) return sized_corner(run, path::CornerKind::chamfer, Code::chamfer_length);
     if (b.has(Code::chamfer_leg)) return sized_corner(run, path::CornerKind::chamfer_leg, Code::chamfer_leg);
@@ -61,7 +61,7 @@ path::CornerRequest corner_of_block(const Run& run) {
 namespace {
 
 /// Of the block's corner alone; 0: none of its own.
-double corner_feed(const Run& run) {
+double corner_feed(const Moving& run) {
     const BlockWords& b = run.block;
     const double feed = b.has(Code::corner_feed) ? b.peek(Code::corner_feed) : run.modal.corner_feed_modal;
     return feed > 0 ? feed * feed_factor(run) : 0;
@@ -69,7 +69,7 @@ double corner_feed(const Run& run) {
 
 }  // namespace
 
-path::CornerRequest PathStage::corner_request(Run& run) {
+path::CornerRequest PathStage::corner_request(Moving& run) {
     const BlockWords& b = run.block;
     path::CornerRequest r = corner_of_block(run);
     const geom::Vec3& at = run.programmed_position;
@@ -96,26 +96,26 @@ path::CornerRequest PathStage::corner_request(Run& run) {
 namespace {
 
 /// DISC, 0 … 1; it acts with G450 alone.
-double pulled_out(const Run& run) {
+double pulled_out(const Reckoning& run) {
     return run.modal.corner == Modal::corner_intersection ? 0 : run.modal.corner_overshoot / 100;
 }
 
 }  // namespace
 
-void PathStage::push(Run& run, path::Element e, bool rapid) {
+void PathStage::push(Moving& run, path::Element e, bool rapid) {
     const path::Setting s = compensation_setting(run);
     tell_begin(run, s);
     tell_programmed(run, e, rapid);
     take(run, std::move(e), s, rapid);
 }
 
-void PathStage::push(Run& run, path::Element e, const path::Setting& s) {
+void PathStage::push(Moving& run, path::Element e, const path::Setting& s) {
     tell_begin(run, s);
     take(run, std::move(e), s, false);
 }
 
 /// Compensation that begins or becomes another one.
-void PathStage::tell_begin(Run& run, const path::Setting& s) {
+void PathStage::tell_begin(Moving& run, const path::Setting& s) {
     if (s.side == path::Side::off) return tell_end(run);
     const double number = run.block.has(Code::offset_d) ? run.block.peek(Code::offset_d) : run.modal.offset_d;
     cl::CompensationBegin begin;
@@ -133,7 +133,7 @@ void PathStage::tell_begin(Run& run, const path::Setting& s) {
     hold({begin, run.here(), run.top().stack});
 }
 
-void PathStage::tell_end(Run& run) {
+void PathStage::tell_end(Telling& run) {
     if (!told_ || run.capture != nullptr) return;
     told_.reset();
     const cl::Record end{cl::CompensationEnd{}, run.here(), run.top().stack};
@@ -143,13 +143,13 @@ void PathStage::tell_end(Run& run) {
         send_event(run, end);
 }
 
-void PathStage::tell_lead(Run& run, const cl::LeadBegin& begin) {
+void PathStage::tell_lead(Reckoning& run, const cl::LeadBegin& begin) {
     if (run.capture != nullptr) return;
     lead_told_ = true;
     hold({begin, run.here(), run.top().stack});
 }
 
-void PathStage::tell_lead_end(Run& run) {
+void PathStage::tell_lead_end(Telling& run) {
     if (run.capture != nullptr || !std::exchange(lead_told_, false)) return;
     const cl::Record end{cl::LeadEnd{}, run.here(), run.top().stack};
     if (holds_ || !waiting_.empty())
@@ -159,7 +159,7 @@ void PathStage::tell_lead_end(Run& run) {
 }
 
 /// An element that an alarm refuses takes its events with it: compensation ends only where it has begun.
-void PathStage::send_event(Run& run, const cl::Record& record) {
+void PathStage::send_event(Telling& run, const cl::Record& record) {
     if (std::holds_alternative<cl::CompensationBegin>(record.step)) begun_ = true;
     if (std::holds_alternative<cl::CompensationEnd>(record.step) && !std::exchange(begun_, false)) return;
     if (std::holds_alternative<cl::LeadBegin>(record.step)) lead_begun_ = true;
@@ -167,7 +167,7 @@ void PathStage::send_event(Run& run, const cl::Record& record) {
     send(run, record);
 }
 
-void PathStage::tell_programmed(Run& run, const path::Element& e, bool rapid) {
+void PathStage::tell_programmed(Moving& run, const path::Element& e, bool rapid) {
     std::optional<cl::Programmed> p = programmed_element(run, e, rapid, fixed_plane_);
     if (!p) return;
     if (const path::CornerRequest corner = corner_of_block(run);
@@ -183,7 +183,7 @@ bool asks_corner(const BlockWords& b) {
 }
 
 /// A chamfer or rounding that no corner was found for. SINUMERIK leaves it out without an alarm.
-void say_no_corner(Run& run, const base::Span& where, const char* text, const char* remedy) {
+void say_no_corner(Reckoning& run, const base::Span& where, const char* text, const char* remedy) {
     if (run.capture != nullptr) return;
     if (run.traits->corner_may_be_tangential) return assume(run, where, text, remedy);
     unchecked(run, codes::unsupported, where, text, remedy);
@@ -191,7 +191,7 @@ void say_no_corner(Run& run, const base::Span& where, const char* text, const ch
 
 }  // namespace
 
-void PathStage::end_block(const Run& run) {
+void PathStage::end_block(const Reckoning& run) {
     if (run.modal.compensation == Modal::compensation_off)
         idle_blocks_ = 0;
     else if (!block_moved_)
@@ -199,7 +199,7 @@ void PathStage::end_block(const Run& run) {
     block_moved_ = false;
 }
 
-void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::Setting& s) {
+void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const path::Setting& s) {
     if (!path::moves_in_plane(e)) return;
     constexpr double straight_on = 1e-3;  // rad
     const program::IdleBlocks& limit = run.traits->compensation_idle_blocks;
@@ -219,7 +219,7 @@ void PathStage::judge_idle_blocks(Run& run, const path::Element& e, const path::
     direction_ = path::end_direction(e);
 }
 
-void PathStage::take(Run& run, path::Element e, const path::Setting& s, bool rapid) {
+void PathStage::take(Moving& run, path::Element e, const path::Setting& s, bool rapid) {
     judge_idle_blocks(run, e, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);
@@ -255,7 +255,7 @@ double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
     return path / contour;
 }
 
-void PathStage::output(Run& run, const path::Output& out) {
+void PathStage::output(Telling& run, const path::Output& out) {
     for (const int event : out.element.before) send_event(run, events_[static_cast<std::size_t>(event)]);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
@@ -278,7 +278,7 @@ void PathStage::output(Run& run, const path::Output& out) {
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
 
-void PathStage::say_open_corner(Run& run) {
+void PathStage::say_open_corner(Reckoning& run) {
     const auto tag = path_.open_corner();
     if (!tag || !std::exchange(origins_[*tag].asks_corner, false)) return;
     say_no_corner(
@@ -287,7 +287,7 @@ void PathStage::say_open_corner(Run& run) {
         "write the next element of the contour behind it");
 }
 
-void PathStage::flush(Run& run) {
+void PathStage::flush(Telling& run) {
     if (!active_ || flushing_) return;
     flushing_ = true;
     say_open_corner(run);
@@ -300,7 +300,7 @@ void PathStage::flush(Run& run) {
     if (run.modal.compensation == Modal::compensation_off) tell_end(run);
 }
 
-void PathStage::stop(Run& run) {
+void PathStage::stop(Telling& run) {
     if (!active_) return;
     flush(run);
     if (!last_) return;
@@ -311,7 +311,7 @@ void PathStage::stop(Run& run) {
     arrive(run, to);
 }
 
-void PathStage::end_compensation(Run& run) {
+void PathStage::end_compensation(Telling& run) {
     stop(run);
     path_ = path::ContourPath();
     holds_ = false;
@@ -319,7 +319,7 @@ void PathStage::end_compensation(Run& run) {
     tell_end(run);
 }
 
-void PathStage::switch_off(Run& run) {
+void PathStage::switch_off(Telling& run) {
     if (!active_) return;
     report(run, path_.switch_off([&](const path::Output& o) { output(run, o); }));
 }
@@ -332,12 +332,12 @@ void PathStage::forget() {
     events_.clear();
 }
 
-void PathStage::report(Run& run, const path::PathFaults& faults) {
+void PathStage::report(Reckoning& run, const path::PathFaults& faults) {
     if (faults.corner) report(run, *faults.corner);
     for (const path::Fault& f : faults.compensation) report(run, f);
 }
 
-void PathStage::report(Run& run, const path::Fault& f) {
+void PathStage::report(Reckoning& run, const path::Fault& f) {
     if (f.reason == path::Reason::refused)
         return alarm(run, codes::compensation, run.here(), path::message(f, length_unit(run.modal)));
     const Origin& at = origins_[f.tag];
@@ -371,13 +371,13 @@ void PathStage::report(Run& run, const path::Fault& f) {
                        at.from,
                        std::move(text),
                        "use a smaller tool or widen the contour",
-                       run.stacks.sites(at.stack),
+                       run.stacks->sites(at.stack),
                        {}};
     if (origins_[f.other].from != at.from) d.related.push_back({origins_[f.other].from, "the neighbouring element"});
     raise(run, std::move(d));
 }
 
-void PathStage::report(Run& run, const path::CornerFault& f) {
+void PathStage::report(Reckoning& run, const path::CornerFault& f) {
     const Origin& at = origins_[f.tag];
     std::string text;
     switch (f.failure) {
@@ -398,7 +398,7 @@ void PathStage::report(Run& run, const path::CornerFault& f) {
             break;
     }
     raise(run,
-          {base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks.sites(at.stack), {}});
+          {base::Severity::error, codes::value_range, at.from, std::move(text), {}, run.stacks->sites(at.stack), {}});
 }
 
 }  // namespace obrys::interp

@@ -20,26 +20,26 @@ public:
     [[nodiscard]] bool in_fixed_plane() const { return active_ && fixed_plane_; }
     void set_fixed_plane(bool fixed) { fixed_plane_ = fixed; }
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
-    void push(Run&, path::Element element, bool rapid);
+    void push(Moving&, path::Element element, bool rapid);
     /// As above with a setting of its own, of an element that nobody has programmed.
-    void push(Run&, path::Element element, const path::Setting& setting);
+    void push(Moving&, path::Element element, const path::Setting& setting);
     /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
-    void end_block(const Run&);
+    void end_block(const Reckoning&);
     /// Keeps a record that must come out before the next element.
     void hold(const cl::Record& record);
     /// The block that ends compensation has been read.
-    void switch_off(Run&);
+    void switch_off(Telling&);
     /// Emits everything held back.
-    void flush(Run&);
+    void flush(Telling&);
     /// The same; the tool stands where it is then, not at the contour's point.
-    void stop(Run&);
+    void stop(Telling&);
     /// As above, and compensation is in force no longer: the tool goes on from where its centre stands.
-    void end_compensation(Run&);
+    void end_compensation(Telling&);
     /// The program has switched compensation off: the stream is told before the next element, or at once.
-    void tell_end(Run&);
+    void tell_end(Telling&);
     /// A smooth way begins, that the control makes by itself; every one has its end.
-    void tell_lead(Run&, const cl::LeadBegin& begin);
-    void tell_lead_end(Run&);
+    void tell_lead(Reckoning&, const cl::LeadBegin& begin);
+    void tell_lead_end(Telling&);
 
 private:
     /// What an element's tag stands for.
@@ -58,21 +58,21 @@ private:
     };
 
     /// Says where a corner is joined over more blocks without motion than the control sees past.
-    void judge_idle_blocks(Run&, const path::Element&, const path::Setting&);
+    void judge_idle_blocks(Saying&, const path::Element&, const path::Setting&);
     /// A chamfer or rounding of a block is left without the element that it leads to.
-    void say_open_corner(Run& run);
+    void say_open_corner(Reckoning& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
-    [[nodiscard]] path::CornerRequest corner_request(Run&);
-    void take(Run&, path::Element element, const path::Setting& setting, bool rapid);
-    void send_event(Run&, const cl::Record& record);
-    void tell_begin(Run&, const path::Setting& s);
-    void tell_programmed(Run&, const path::Element& e, bool rapid);
+    [[nodiscard]] path::CornerRequest corner_request(Moving&);
+    void take(Moving&, path::Element element, const path::Setting& setting, bool rapid);
+    void send_event(Telling&, const cl::Record& record);
+    void tell_begin(Moving&, const path::Setting& s);
+    void tell_programmed(Moving&, const path::Element& e, bool rapid);
     [[nodiscard]] int keep(const cl::Record& record);
-    [[nodiscard]] int feed_event(const Run&, double feed);
-    void output(Run&, const path::Output& out);
-    void report(Run&, const path::PathFaults& faults);
-    void report(Run&, const path::Fault& fault);
-    void report(Run&, const path::CornerFault& fault);
+    [[nodiscard]] int feed_event(const Reckoning&, double feed);
+    void output(Telling&, const path::Output& out);
+    void report(Reckoning&, const path::PathFaults& faults);
+    void report(Reckoning&, const path::Fault& fault);
+    void report(Reckoning&, const path::CornerFault& fault);
     void forget();
 
     path::ContourPath path_;
@@ -92,19 +92,19 @@ private:
 };
 
 /// What the modal state says to radius compensation; a tool whose radius is not known is reported.
-[[nodiscard]] path::Setting compensation_setting(Run&);
+[[nodiscard]] path::Setting compensation_setting(Moving&);
 /// The chamfer or rounding that the block asks for at its end, without feeds.
-[[nodiscard]] path::CornerRequest corner_of_block(const Run&);
+[[nodiscard]] path::CornerRequest corner_of_block(const Moving&);
 /// An element as it is programmed; nothing where it has no place in the stream (a circle that a frame makes an
 /// ellipse).
-[[nodiscard]] std::optional<cl::Programmed> programmed_element(const Run&, const path::Element& element, bool rapid,
-                                                               bool in_stream);
+[[nodiscard]] std::optional<cl::Programmed> programmed_element(const Reckoning&, const path::Element& element,
+                                                               bool rapid, bool in_stream);
 /// mm in the frame of the stream.
-[[nodiscard]] double radius_in_stream(const Run&, double radius);
+[[nodiscard]] double radius_in_stream(const Telling&, double radius);
 /// Radius compensation is in force no longer.
-void switch_compensation_off(Run&);
+void switch_compensation_off(Telling&);
 /// Emits an element of the working plane as a record of the stream.
 /// `in_stream`: it is in the stream's own frame already.
-void emit_element(Run&, const path::Element& element, bool rapid, bool in_stream = false);
+void emit_element(Telling&, const path::Element& element, bool rapid, bool in_stream = false);
 
 }  // namespace obrys::interp

@@ -38,7 +38,7 @@ struct Read {
     double z = 0;
 };
 
-Read read(Run& run, const program::PatternFigure& f, geom::Vec2 before) {
+Read read(Reckoning& run, const program::PatternFigure& f, geom::Vec2 before) {
     const double unit = length_unit(run.modal);
     Read r;
     Figure& out = r.figure;
@@ -66,7 +66,7 @@ Read read(Run& run, const program::PatternFigure& f, geom::Vec2 before) {
     return r;
 }
 
-void add_figures(Run& run, const program::Pattern& p) {
+void add_figures(Cycling& run, const program::Pattern& p) {
     geom::Vec2 before;
     for (const program::PatternFigure& f : p.figures) {
         const Read r = read(run, f, before);
@@ -89,7 +89,7 @@ std::string file_name(std::string_view written) {
     return name.find('.') == std::string::npos ? name + ".PNT" : name;
 }
 
-void add_table(Run& run, const std::string& name, const base::Span& where) {
+void add_table(Cycling& run, const std::string& name, const base::Span& where) {
     if (const auto known = run.point_tables.find(name); known != run.point_tables.end()) {
         run.pattern.points = known->second;
         return;
@@ -102,7 +102,7 @@ void add_table(Run& run, const std::string& name, const base::Span& where) {
         return;
     }
     std::vector<CallPattern::Point>& points = run.point_tables[name];
-    for (const shop::PatternPoint& p : shop::points_of(*table, run.diagnostics)) {
+    for (const shop::PatternPoint& p : shop::points_of(*table, *run.diagnostics)) {
         if (p.hidden) continue;
         geom::Vec3 at = p.position;
         if (std::isnan(at.z)) at.z = 0;
@@ -116,7 +116,7 @@ void add_table(Run& run, const std::string& name, const base::Span& where) {
 
 }  // namespace
 
-void define_pattern(Run& run, const program::Pattern& p) {
+void define_pattern(Cycling& run, const program::Pattern& p) {
     run.pattern = {};
     run.pattern.where = p.where;
     if (p.table != program::no_expr) {

@@ -17,7 +17,7 @@ using program::SpecialKind;
 
 namespace {
 
-double angle(Run& run, const Special& s, Datum d) { return geom::radians(datum_of(run, s, d)); }
+double angle(Reckoning& run, const Special& s, Datum d) { return geom::radians(datum_of(run, s, d)); }
 
 Frame of_axes(const Vec3& x, const Vec3& y, const Vec3& z) {
     Frame f;
@@ -28,20 +28,20 @@ Frame of_axes(const Vec3& x, const Vec3& y, const Vec3& z) {
 Vec3 unit(const Vec3& v) { return (1 / geom::length(v)) * v; }
 
 /// About the machine's X, then its Y, then its Z (each about the fixed axes).
-Frame spatial(Run& run, const Special& s) {
+Frame spatial(Reckoning& run, const Special& s) {
     return Frame::rotation(2, angle(run, s, Datum::angle_c)) * Frame::rotation(1, angle(run, s, Datum::angle_b)) *
            Frame::rotation(0, angle(run, s, Datum::angle_a));
 }
 
 /// Precession about Z, nutation about the turned X, rotation about the turned Z.
-Frame euler(Run& run, const Special& s) {
+Frame euler(Reckoning& run, const Special& s) {
     return Frame::rotation(2, angle(run, s, Datum::angle_a)) * Frame::rotation(0, angle(run, s, Datum::angle_b)) *
            Frame::rotation(2, angle(run, s, Datum::angle_c));
 }
 
 /// Projection angles: of the plane's trace in Z/X to X and in Y/Z to Y; ROT turns in the plane, whose X is as the first
 /// angle says.
-Frame projected(Run& run, const Special& s) {
+Frame projected(Reckoning& run, const Special& s) {
     const double p = angle(run, s, Datum::angle_a), q = angle(run, s, Datum::angle_b);
     const Vec3 u = {std::cos(p), 0, -std::sin(p)}, v = {0, std::cos(q), std::sin(q)};
     const Vec3 x = unit(u), z = unit(geom::cross(u, v));
@@ -55,12 +55,12 @@ Frame vectors(const Vec3& base, const Vec3& normal) {
     return of_axes(x, geom::cross(z, x), z);
 }
 
-Vec3 vector_of(Run& run, const Special& s, Datum x, Datum y, Datum z) {
+Vec3 vector_of(Reckoning& run, const Special& s, Datum x, Datum y, Datum z) {
     return {datum_of(run, s, x), datum_of(run, s, y), datum_of(run, s, z)};
 }
 
 /// P1 to P2 is the principal axis, P3 lies on the side of the secondary one.
-Frame points(Run& run, const Special& s) {
+Frame points(Reckoning& run, const Special& s) {
     const Vec3 a = vector_of(run, s, Datum::point1_x, Datum::point1_y, Datum::point1_z);
     const Vec3 b = vector_of(run, s, Datum::point2_x, Datum::point2_y, Datum::point2_z);
     const Vec3 c = vector_of(run, s, Datum::point3_x, Datum::point3_y, Datum::point3_z);
@@ -75,7 +75,7 @@ bool is_known(const Frame& f) {
 
 }  // namespace
 
-void plane(Run& run, const Special& s) {
+void plane(Moving& run, const Special& s) {
     flush_path(run);
     Frame f;
     switch (s.kind) {

@@ -17,7 +17,7 @@ using geom::Vec3;
 
 namespace {
 
-void remember_direction(Run& run, const path::Element& e) {
+void remember_direction(Moving& run, const path::Element& e) {
     if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
 }
 
@@ -34,14 +34,14 @@ Vec3 in_axes(const PlaneAxes& a, Vec2 p, double w) {
 }
 
 /// A point of the working plane in the stream's frame.
-Vec3 in_stream(const Run& run, Vec2 p, double w) {
+Vec3 in_stream(const Reckoning& run, Vec2 p, double w) {
     const Vec3 v = in_axes(plane_axes(run.modal.plane), p, w);
     return run.frame_is_identity ? v : geom::apply(run.frame, v);
 }
 
 }  // namespace
 
-bool compensates_in_fixed_plane(const Run& run) {
+bool compensates_in_fixed_plane(const Telling& run) {
     if (!run.traits->compensates_in_fixed_plane || run.frame_is_identity || run.modal.compensation_in_frame)
         return false;
     if (run.modal.compensation == Modal::compensation_off && !run.path->in_fixed_plane()) return false;
@@ -55,7 +55,7 @@ bool compensates_in_fixed_plane(const Run& run) {
 namespace {
 
 /// The element as seen in the plane that frames do not turn. An arc is no circle there.
-path::Element in_fixed_plane(Run& run, const path::Element& e) {
+path::Element in_fixed_plane(Moving& run, const path::Element& e) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     if (path::is_arc(e))
         unchecked(run, codes::unsupported, run.here(),
@@ -74,7 +74,7 @@ path::Element in_fixed_plane(Run& run, const path::Element& e) {
     return out;
 }
 
-void push_element(Run& run, path::Element e, bool rapid) {
+void push_element(Moving& run, path::Element e, bool rapid) {
     const bool fixed = compensates_in_fixed_plane(run);
     if (fixed != run.path->in_fixed_plane() && run.path->active()) flush_path(run);
     run.path->set_fixed_plane(fixed);
@@ -83,7 +83,7 @@ void push_element(Run& run, path::Element e, bool rapid) {
 
 }  // namespace
 
-void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
+void plane_element(Moving& run, path::Element e, const Vec3& to, bool rapid) {
     rapid = rapid || run.block.rapid;
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
@@ -106,7 +106,7 @@ void plane_element(Run& run, path::Element e, const Vec3& to, bool rapid) {
 
 namespace {
 
-cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
+cl::Step move_in_stream(const Reckoning& run, const path::Element& e, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 to = in_axes(a, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
@@ -115,7 +115,7 @@ cl::Step move_in_stream(const Run& run, const path::Element& e, bool rapid) {
 
 }  // namespace
 
-std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+std::optional<cl::Step> plane_move(const Reckoning& run, const path::Element& e, bool rapid, bool in_stream_already) {
     if (in_stream_already) return move_in_stream(run, e, rapid);
     const Vec3 to = in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
@@ -127,18 +127,18 @@ std::optional<cl::Step> plane_move(const Run& run, const path::Element& e, bool 
     return cl::Arc{to, in_stream(run, e.centre, e.w_from), plane_normal(run), e.sweep, rapid};
 }
 
-Vec3 plane_normal(const Run& run) {
+Vec3 plane_normal(const Reckoning& run) {
     if (run.frame_is_identity || geom::is_shift_only(run.frame)) return in_axes(plane_axes(run.modal.plane), {}, 1);
     const Vec3 zero = in_stream(run, {}, 0);
     const Vec3 normal = geom::cross(in_stream(run, {1, 0}, 0) - zero, in_stream(run, {0, 1}, 0) - zero);
     return (1 / geom::length(normal)) * normal;
 }
 
-void circle_alarm(Run& run, const base::Span& where) {
+void circle_alarm(Saying& run, const base::Span& where) {
     alarm(run, codes::value_range, where, "a circle cannot be run with different scale factors in its plane");
 }
 
-std::optional<cl::Programmed> programmed_element(const Run& run, const path::Element& e, bool rapid,
+std::optional<cl::Programmed> programmed_element(const Reckoning& run, const path::Element& e, bool rapid,
                                                  bool in_stream_already) {
     const std::optional<cl::Step> move = plane_move(run, e, rapid, in_stream_already);
     if (!move) return std::nullopt;
@@ -153,7 +153,7 @@ std::optional<cl::Programmed> programmed_element(const Run& run, const path::Ele
     return p;
 }
 
-void lead_to_place(Run& run) {
+void lead_to_place(Telling& run) {
     if (geom::length(run.sent - run.position) > stream_joined)
         emit(run, cl::Linear{run.position, run.tool_axis, false});
 }
@@ -162,7 +162,7 @@ namespace {
 
 /// An arc has no start of its own in the stream: where what was refused, or a new frame, has left the tool beside it, a
 /// straight move leads to it. Every arc of the working plane passes here, whoever made it.
-void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_already) {
+void lead_to_arc(Telling& run, const path::Element& e, bool rapid, bool in_stream_already) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const auto in_its_frame = [&](Vec2 p, double w) {
         return in_stream_already ? in_axes(a, p, w) : in_stream(run, p, w);
@@ -177,7 +177,7 @@ void lead_to_arc(Run& run, const path::Element& e, bool rapid, bool in_stream_al
 
 /// The radii at both ends differ by no more than those of a programmed arc may (arc.cpp), and by what moved ends add
 /// where the control keeps its centre (path::HeldMoveLimits).
-bool is_on_its_circle(const Run& run, const path::Element& e) {
+bool is_on_its_circle(const Reckoning& run, const path::Element& e) {
     const path::ArcTolerance t = arc_tolerance(run);
     const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
     const double allowed = t.keep_centre ? 2 * std::max(t.absolute, t.relative * std::max(start, end))
@@ -187,7 +187,7 @@ bool is_on_its_circle(const Run& run, const path::Element& e) {
 
 }  // namespace
 
-void emit_element(Run& run, const path::Element& e, bool rapid, bool in_stream) {
+void emit_element(Telling& run, const path::Element& e, bool rapid, bool in_stream) {
     if (path::is_arc(e) && !is_on_its_circle(run, e)) {
         unchecked(run, codes::unsupported, run.record.from,
                   "what radius compensation leaves of this arc does not begin on its circle: it is run straight",

@@ -12,13 +12,13 @@ namespace codes = base::codes;
 namespace {
 
 /// G91 counts where the words are taken from the position; else only AP=IC(…), RP=IC(…) and IPA, IPR do.
-bool adds(const Run& run, std::uint8_t reference) {
+bool is_added(const Reckoning& run, std::uint8_t reference) {
     if (run.unit().traits->polar_from_position) return is_incremental(run, reference);
     return reference == 1 + static_cast<std::uint8_t>(program::Reference::incremental);
 }
 
 /// Source: LinuxCNC 2.9, its stand-alone interpreter asked (tests/linuxcnc/bad_programs.py).
-bool may_be_polar(Run& run, bool grows_from_pole) {
+bool may_be_polar(Reckoning& run, bool grows_from_pole) {
     if (run.modal.plane != 17) {
         alarm(run, codes::value_range, run.here(), "polar coordinates are for the plane of G17 only",
               "write X, Y and Z, or G17 before it");
@@ -33,7 +33,7 @@ bool may_be_polar(Run& run, bool grows_from_pole) {
 
 }  // namespace
 
-bool has_pole(Run& run) {
+bool has_pole(Reckoning& run) {
     if (run.modal.pole_set || !run.unit().traits->needs_pole) return true;
     alarm(run, codes::arc_radius, run.here(), "circle center undefined: no pole was set before this block",
           "write CC with its coordinates before it");
@@ -43,7 +43,7 @@ bool has_pole(Run& run) {
 namespace {
 
 /// LP X+70: LP, CP and CTP have PR, PA and the tool axis, no coordinates of the plane. DIN/ISO: its reader says so.
-void say_missing_polar_words(Run& run, std::uint64_t polar) {
+void say_missing_polar_words(Moving& run, std::uint64_t polar) {
     const BlockWords& b = run.block;
     const PlaneAxes plane = plane_axes(run.modal.plane);
     if (!b.polar_path || (b.present & polar) != 0 || (!b.has(axis_code(plane.u)) && !b.has(axis_code(plane.v)))) return;
@@ -55,7 +55,7 @@ void say_missing_polar_words(Run& run, std::uint64_t polar) {
 
 }  // namespace
 
-void complete_arc(Run& run) {
+void complete_arc(Moving& run) {
     BlockWords& b = run.block;
     constexpr auto bit = [](Code c) { return std::uint64_t{1} << static_cast<unsigned>(c); };
     constexpr std::uint64_t polar = bit(Code::polar_angle) | bit(Code::polar_radius);
@@ -80,7 +80,7 @@ void complete_arc(Run& run) {
     b.put(Code::pole_angle, angle);
 }
 
-geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
+geom::Vec3 polar_target(Moving& run, geom::Vec3 to) {
     if (!has_pole(run)) return to;
     const BlockWords& b = run.block;
     const PlaneAxes axes = plane_axes(run.modal.plane);
@@ -95,19 +95,19 @@ geom::Vec3 polar_target(Run& run, geom::Vec3 to) {
     const double dv = coordinate(run.programmed_position, axes.v) - coordinate(pole, axes.v);
     // A word left out keeps its last value; before there is one, the position says it.
     const bool here = run.unit().traits->polar_from_position;
-    const bool grows = (b.has(Code::polar_radius) && adds(run, b.ref(Code::polar_radius))) ||
-                       (b.has(Code::polar_angle) && adds(run, b.ref(Code::polar_angle)));
+    const bool grows = (b.has(Code::polar_radius) && is_added(run, b.ref(Code::polar_radius))) ||
+                       (b.has(Code::polar_angle) && is_added(run, b.ref(Code::polar_angle)));
     if (run.traits->refuses_unready && !may_be_polar(run, grows && du == 0 && dv == 0)) return to;
     double radius = here || std::isnan(run.modal.polar_radius) ? std::hypot(du, dv) : run.modal.polar_radius;
     double angle =
         here || std::isnan(run.modal.polar_angle) ? geom::degrees(std::atan2(dv, du)) : run.modal.polar_angle;
     if (b.has(Code::polar_radius)) {
         const double v = b.get(Code::polar_radius) * length_unit(run.modal);
-        radius = adds(run, b.ref(Code::polar_radius)) ? radius + v : v;
+        radius = is_added(run, b.ref(Code::polar_radius)) ? radius + v : v;
     }
     if (b.has(Code::polar_angle)) {
         const double v = b.get(Code::polar_angle);
-        angle = adds(run, b.ref(Code::polar_angle)) ? angle + v : v;
+        angle = is_added(run, b.ref(Code::polar_angle)) ? angle + v : v;
     }
     run.modal.polar_radius = radius;
     run.modal.polar_angle = angle;
@@ -120,7 +120,7 @@ namespace {
 
 /// CC: absolute, or incremental from where the tool stands; without any coordinate there. A coordinate that is left out
 /// stays as it was.
-void give_pole(Run& run) {
+void give_pole(Moving& run) {
     const BlockWords& b = run.block;
     run.modal.pole_set = true;
     bool any = false;
@@ -139,7 +139,7 @@ void give_pole(Run& run) {
 }  // namespace
 
 /// G110 last position, G111 workpiece zero, G112 last pole: the words of the block are the pole as seen from there.
-void set_pole(Run& run) {
+void set_pole(Moving& run) {
     const BlockWords& b = run.block;
     if (b.special == Modal::pole_given) {
         give_pole(run);

@@ -13,7 +13,7 @@ namespace codes = base::codes;
 namespace {
 
 /// Why the way of these axes is not known; empty: it is one straight move.
-std::string unknown_way(const Run& run, bool path_moved) {
+std::string unknown_way(const Moving& run, bool path_moved) {
     const BlockWords& b = run.block;
     const std::string axis = b.positioned.front().name;
     if (path_moved) return axis + " moves on its own while the path goes on: it is run behind it";
@@ -23,7 +23,7 @@ std::string unknown_way(const Run& run, bool path_moved) {
     return {};
 }
 
-void position_axis(Run& run, const BlockWords::NamedAxis& axis) {
+void position_axis(Telling& run, const BlockWords::NamedAxis& axis) {
     const int k = axis.name == "X" ? 0 : axis.name == "Y" ? 1 : 2;
     const bool incremental = is_incremental(run, axis.reference);
     const double v = axis.value * word_factor(run, k, axis.reference);
@@ -42,7 +42,7 @@ void position_axis(Run& run, const BlockWords::NamedAxis& axis) {
 
 }  // namespace
 
-void position_axes(Run& run, bool path_moved) {
+void position_axes(Moving& run, bool path_moved) {
     const std::string why = unknown_way(run, path_moved);
     if (!why.empty()) unchecked(run, codes::unsupported, run.here(), why);
     flush_path(run);
@@ -57,7 +57,7 @@ void position_axes(Run& run, bool path_moved) {
 
 /// POSA is run like POS. That is right where nothing else moves until WAITP, or until its axis is programmed again, for
 /// which the control waits, too (NC programming 12/2019, positioning axes).
-void judge_underway(Run& run, bool path_moved) {
+void judge_underway(Moving& run, bool path_moved) {
     BlockWords& b = run.block;
     if (run.capture != nullptr || !(path_moved || !b.positioned.empty())) return;
     bool others = false;
@@ -75,7 +75,7 @@ void judge_underway(Run& run, bool path_moved) {
     run.underway.clear();
 }
 
-void wait_for_axes(Run& run, const program::ProcedureCall& p) {
+void wait_for_axes(Moving& run, const program::ProcedureCall& p) {
     for (const ExprId id : p.arguments) {
         const std::string written = axis_of(run, id);
         run.underway.erase(machine_axis_name(run, written).value_or(written));

@@ -12,18 +12,18 @@ namespace codes = base::codes;
 
 namespace {
 
-std::string text_of(Run& run, const program::ProcedureCall& p, std::size_t i) {
+std::string text_of(Reckoning& run, const program::ProcedureCall& p, std::size_t i) {
     const bool given = p.arguments.size() > i && p.arguments[i] != program::no_expr;
     return given ? printed(evaluate(run, p.arguments[i])) : std::string{};
 }
 
-void show(Run& run, const program::ProcedureCall& p) {
+void show(Telling& run, const program::ProcedureCall& p) {
     std::string text = text_of(run, p, 0);
     run.last_message = text;
     if (!run.stopped) emit(run, cl::Comment{std::move(text), true, p.procedure == Procedure::print});
 }
 
-void stop_itself(Run& run, const program::ProcedureCall& p) {
+void stop_itself(Reckoning& run, const program::ProcedureCall& p) {
     const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
     std::string text = p.arguments.size() > 1 ? ": " + text_of(run, p, 1) : std::string{};
     if (text.empty() && !run.last_message.empty()) text = ": " + run.last_message;
@@ -33,7 +33,7 @@ void stop_itself(Run& run, const program::ProcedureCall& p) {
     if (!run.stopped) alarm(run, codes::program_alarm, p.where, "the program stops itself with " + shown + text);
 }
 
-void abort(Run& run, const program::ProcedureCall& p) {
+void abort(Reckoning& run, const program::ProcedureCall& p) {
     const bool given = !p.arguments.empty() && p.arguments[0] != program::no_expr;
     const Value v = given ? evaluate(run, p.arguments[0]) : Value{};
     if (!run.stopped && given && v.is_unknown()) {
@@ -48,7 +48,7 @@ void abort(Run& run, const program::ProcedureCall& p) {
 }
 
 /// Logs are files that the program prints to: into the folder named for them, or it is said that they are lost.
-void log(Run& run, const program::ProcedureCall& p) {
+void log(Reckoning& run, const program::ProcedureCall& p) {
     switch (p.procedure) {
         case Procedure::log_open:
         case Procedure::log_append:
@@ -64,7 +64,7 @@ void log(Run& run, const program::ProcedureCall& p) {
 
 }  // namespace
 
-void procedure(Run& run, const program::ProcedureCall& p) {
+void procedure(Calling& run, const program::ProcedureCall& p) {
     switch (p.procedure) {
         case Procedure::message:
         case Procedure::print: return show(run, p);

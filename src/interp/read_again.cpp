@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
+#include "interp/capture.hpp"
 #include "interp/run.hpp"
 
 namespace obrys::interp {
@@ -31,7 +32,7 @@ bool can_be_run(const Unit& unit, std::uint32_t first) {
 }
 
 /// It was read in a state like that of the run: where other words of it count, it may ask for more than in the text.
-bool fits(const Run& run, const program::PieceRead& read) {
+bool fits(const Reckoning& run, const program::PieceRead& read) {
     const program::ModeTable& table = read.unit->modes;
     for (const ModeSpan& span : table.spans) {
         if (span.first != read.first) continue;
@@ -42,7 +43,7 @@ bool fits(const Run& run, const program::PieceRead& read) {
 }
 
 /// The piece as it is read in the state at hand; null where it cannot be run so. Read once for each state.
-const program::PieceRead* piece_at(Run& run, std::uint32_t index, const ModeUse& use) {
+const program::PieceRead* piece_at(RunState& run, std::uint32_t index, const ModeUse& use) {
     const Unit& unit = run.unit();
     ReadPieces& kept = *run.read_pieces;
     ReadPieces::Key key{&unit, index, {}};
@@ -81,19 +82,19 @@ const ModeSpan* span_of(Activation& act, std::uint32_t index) {
 }
 
 /// What the reader said of the piece, once; each time it is run, so that looking ahead does not say it for the run.
-void say_of(Run& run, const program::PieceRead& piece) {
+void say_of(Saying& run, const program::PieceRead& piece) {
     if (run.complaints != nullptr) return;
     for (const base::Diagnostic& d : piece.said.all()) {
-        const auto& all = run.diagnostics.all();
+        const auto& all = run.diagnostics->all();
         const bool known = std::any_of(all.begin(), all.end(), [&](const base::Diagnostic& other) {
             return other.code == d.code && other.where.file == d.where.file && other.where.begin == d.where.begin &&
                    other.text == d.text;
         });
-        if (!known) run.diagnostics.add(d);
+        if (!known) run.diagnostics->add(d);
     }
 }
 
-void run_piece(Run& run, const program::PieceRead& piece) {
+void run_piece(Moving& run, const program::PieceRead& piece) {
     say_of(run, piece);
     const std::size_t depth = run.calls.size();
     Activation block;
@@ -105,12 +106,12 @@ void run_piece(Run& run, const program::PieceRead& piece) {
     block.is_text = block.is_piece = true;
     run.calls.push_back(std::move(block));
     const bool calls = piece.unit->statements.back().kind == StatementKind::call;
-    while (!calls && run.calls.size() > depth && !run.stopped) step(run);
+    while (!calls && run.calls.size() > depth && !run.stopped) run.onward->step();
 }
 
 }  // namespace
 
-bool runs_read_again(Run& run, std::uint32_t index) {
+bool runs_read_again(RunState& run, std::uint32_t index) {
     const ModeSpan* span = span_of(run.top(), index);
     if (span == nullptr) return false;
     const program::ModeTable& table = run.unit().modes;

@@ -20,7 +20,7 @@ constexpr std::uint64_t parallel_axes = bit(Code::u) | bit(Code::v) | bit(Code::
 
 /// The word of the block for which `is` holds; the block where it has none such.
 template <class Is>
-base::Span word_that(const Run& run, Is is) {
+base::Span word_that(const Reckoning& run, Is is) {
     const Unit& unit = run.unit();
     const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
     for (std::uint32_t i = run.statement->first; i < unit.words_end(index); ++i)
@@ -28,30 +28,30 @@ base::Span word_that(const Run& run, Is is) {
     return run.here();
 }
 
-base::Span word_of(const Run& run, Code code) {
+base::Span word_of(const Reckoning& run, Code code) {
     return word_that(run, [code](const program::Word& w) { return program::code_of(w) == code; });
 }
 
-base::Span word_of(const Run& run, Modal m) {
+base::Span word_of(const Reckoning& run, Modal m) {
     return word_that(
         run, [m](const program::Word& w) { return program::code_of(w) == Code::modal && program::modal_of(w) == m; });
 }
 
-bool compensates(const Run& run) {
+bool compensates(const Reckoning& run) {
     return run.traits->compensation_holds_move && run.modal.compensation != Modal::compensation_off;
 }
 
-void refuse_under_compensation(Run& run, const base::Span& where, std::string what) {
+void refuse_under_compensation(Saying& run, const base::Span& where, std::string what) {
     alarm(run, codes::compensation, where, std::move(what) + " while radius compensation is on", "write G40 before it");
 }
 
-bool changes_plane(const Run& run, Modal m) {
+bool changes_plane(const Reckoning& run, Modal m) {
     const int plane = m == Modal::plane_xy ? 17 : m == Modal::plane_zx ? 18 : m == Modal::plane_yz ? 19 : 0;
     return plane != 0 && plane != run.modal.plane;
 }
 
 /// G10 L2 and L20 of the zero offset that is in force.
-bool writes_active_datum(const Run& run) {
+bool writes_active_datum(const Moving& run) {
     const double l = run.block.has(Code::l) ? run.block.peek(Code::l) : 0;
     const double p = run.block.has(Code::p) ? run.block.peek(Code::p) : 0;
     const std::uint32_t active = place_of_datum(run.modal.datum);
@@ -59,7 +59,7 @@ bool writes_active_datum(const Run& run) {
 }
 
 /// What may not change under radius compensation; empty: `m` may.
-std::string change_of(const Run& run, Modal m) {
+std::string change_of(const Moving& run, Modal m) {
     if (changes_plane(run, m)) return "the plane changes";
     switch (m) {
         case Modal::compensation_left:
@@ -94,7 +94,7 @@ bool on(Modal m) {
 // --- the block
 
 /// Axes that the named machine has not; LinuxCNC's stand-alone interpreter has X Y Z A B C.
-void refuse_axes(Run& run) {
+void refuse_axes(Moving& run) {
     const shop::Machine& machine = run.env.machine;
     const bool named = !machine.axes.empty() && !machine.more_axes;
     const std::uint64_t all = linear_axes | rotary_axes | parallel_axes;
@@ -108,13 +108,13 @@ void refuse_axes(Run& run) {
 }
 
 /// Overrides, outputs and waiting stop the control's reading ahead, which compensation needs.
-void refuse_functions(Run& run) {
+void refuse_functions(Moving& run) {
     for (const int m : run.block.m)
         if ((m >= 48 && m <= 53) || (m >= 62 && m <= 68))
             return refuse_under_compensation(run, word_of(run, Code::m), "M" + std::to_string(m) + " acts");
 }
 
-void refuse_tool(Run& run) {
+void refuse_tool(Moving& run) {
     const bool by_t = run.block.has(Code::tool) && !run.block.tool_named;
     const double t = by_t ? run.block.peek(Code::tool) : 0;
     if (compensates(run) && run.block.has_m(6))
@@ -126,7 +126,7 @@ void refuse_tool(Run& run) {
           "T" + printed(Value::real(t)) + " is not in the tool table", "add the tool to the table");
 }
 
-void refuse_machine_move(Run& run) {
+void refuse_machine_move(Moving& run) {
     const base::Span where = word_of(run, run.block.suppress);
     if (compensates(run)) return refuse_under_compensation(run, where, "a block moves in machine coordinates");
     if (run.modal.motion != Modal::rapid && run.modal.motion != Modal::linear && run.modal.motion != Modal::canned_off)
@@ -137,24 +137,24 @@ void refuse_machine_move(Run& run) {
               "write G90 before the block");
 }
 
-bool spindle_turns(const Run& run) {
+bool spindle_turns(const Moving& run) {
     return run.block.has_m(3) || run.block.has_m(4) || (run.spindle.direction != 0 && !run.block.has_m(5));
 }
 
-void refuse_still_spindle(Run& run, Modal m, std::string_view what) {
+void refuse_still_spindle(Moving& run, Modal m, std::string_view what) {
     if (spindle_turns(run)) return;
     alarm(run, codes::spindle_stopped, word_of(run, m), std::string(what) + " needs a turning spindle",
           "write M3 or M4 with S before it");
 }
 
 /// F of the block or in force; in inverse time mode every block has its own.
-bool has_feed(const Run& run) {
+bool has_feed(const Moving& run) {
     const bool dwells = run.block.special == Modal::dwell && run.traits->dwell_in_feed_words;
     if (run.block.has(Code::feed) && !dwells) return run.block.peek(Code::feed) != 0;
     return (run.feed_valid || run.feed_unknown) && run.modal.feed_mode != cl::FeedMode::inverse_time;
 }
 
-void refuse_missing_feed(Run& run, std::string_view what, Modal m) {
+void refuse_missing_feed(Moving& run, std::string_view what, Modal m) {
     if (!run.traits->needs_feed || has_feed(run)) return;
     const bool inverse = run.modal.feed_mode == cl::FeedMode::inverse_time, zero = run.block.has(Code::feed);
     alarm(run, codes::feed_missing, zero ? word_of(run, Code::feed) : word_of(run, m),
@@ -164,7 +164,7 @@ void refuse_missing_feed(Run& run, std::string_view what, Modal m) {
           zero ? "" : "write F before it or in its block");
 }
 
-void refuse_probe(Run& run) {
+void refuse_probe(Moving& run) {
     refuse_missing_feed(run, "probing", Modal::probe);
     // Away from the workpiece the probe may have let go already; behind an earlier probing it stands somewhere else.
     if (run.modal.motion_number >= 4 || run.probed) return;
@@ -181,7 +181,7 @@ void refuse_probe(Run& run) {
           "the probe stands at the end point of this block already");
 }
 
-void refuse_dwell(Run& run, const program::CannedCycle& c) {
+void refuse_dwell(Moving& run, const program::CannedCycle& c) {
     const bool goes_on = run.canned.active && run.canned.cycle == run.modal.motion_number;
     for (std::size_t i = 0; i < c.words.size() && i < run.canned.given.size(); ++i) {
         const program::CannedWord& w = c.words[i];
@@ -193,7 +193,7 @@ void refuse_dwell(Run& run, const program::CannedCycle& c) {
     }
 }
 
-void refuse_canned(Run& run) {
+void refuse_canned(Moving& run) {
     const program::CannedCycle& c = run.traits->canned[static_cast<std::size_t>(run.modal.motion_number)];
     const std::string name(c.name);
     for (int k = 3; k < 9; ++k)
@@ -212,7 +212,7 @@ void refuse_canned(Run& run) {
 }
 
 /// R beside I, J, K, and the one of them that is normal to the plane.
-void refuse_arc(Run& run, Modal m) {
+void refuse_arc(Moving& run, Modal m) {
     const std::string name = m == Modal::arc_cw ? "G2" : "G3";
     const int normal = plane_axes(run.modal.plane).w;
     for (int k = 0; k < 3; ++k) {
@@ -230,7 +230,7 @@ void refuse_arc(Run& run, Modal m) {
     refuse_missing_feed(run, name, m);
 }
 
-void refuse_motion(Run& run) {
+void refuse_motion(Moving& run) {
     const Modal m = run.modal.motion;
     const bool coordinates = (run.block.present & (linear_axes | rotary_axes | parallel_axes)) != 0;
     if (run.block.special == Modal::rigid_tap) return refuse_still_spindle(run, Modal::rigid_tap, "G33.1");
@@ -247,7 +247,7 @@ void refuse_motion(Run& run) {
 
 }  // namespace
 
-void refuse_modal(Run& run, const program::Word& w) {
+void refuse_modal(Moving& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     const auto where = [&] { return run.unit().span(*run.statement, w); };
     if (m == Modal::restore_modal && !run.top().saved_modes)
@@ -260,7 +260,7 @@ void refuse_modal(Run& run, const program::Word& w) {
     if (std::string what = change_of(run, m); !what.empty()) refuse_under_compensation(run, where(), std::move(what));
 }
 
-void refuse_block(Run& run) {
+void refuse_block(Moving& run) {
     const BlockWords& b = run.block;
     if (run.capture != nullptr) return refuse_letters(run);  // a contour is only read
     refuse_axes(run);
@@ -272,7 +272,7 @@ void refuse_block(Run& run) {
     if (!run.stopped) refuse_motion(run);
 }
 
-void refuse_call(Run& run, const std::string& name, const program::Call* call) {
+void refuse_call(Saying& run, const std::string& name, const program::Call* call) {
     const base::Span where = call != nullptr ? call->where : run.here();
     const bool by_m98 = call != nullptr && call->shares_parameters;
     const std::string shown = by_m98 || !name.starts_with("O") ? name : "o" + name.substr(1);
@@ -282,13 +282,13 @@ void refuse_call(Run& run, const std::string& name, const program::Call* call) {
           "put its file beside the calling program or name the folder with --search");
 }
 
-void say_missing_beginning(Run& run) {
+void say_missing_beginning(Saying& run) {
     const Unit& unit = run.unit();
     const std::uint32_t at = unit.statements.front().begin;
     unchecked(run, codes::unclosed, {unit.file, at, at}, unit.unbegun, "");
 }
 
-void refuse_end(Run& run) {
+void refuse_end(Saying& run) {
     const Unit& unit = run.unit();
     const base::Span where =
         unit.statements.empty() ? base::Span{unit.file, unit.begin, unit.begin} : unit.span(unit.statements.back());

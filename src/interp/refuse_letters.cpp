@@ -20,7 +20,7 @@ constexpr std::uint64_t held_letters = bit(Code::i) | bit(Code::j) | bit(Code::k
                                        bit(Code::offset_h);
 
 /// Coordinates, centres or a word of its own make the motion in force run; another letter alone does not.
-bool moves(const Run& run) {
+bool moves(const Moving& run) {
     constexpr std::uint64_t places = bit(Code::x) | bit(Code::y) | bit(Code::z) | bit(Code::a) | bit(Code::b) |
                                      bit(Code::c) | bit(Code::u) | bit(Code::v) | bit(Code::w) | bit(Code::i) |
                                      bit(Code::j) | bit(Code::k) | bit(Code::polar_angle) | bit(Code::polar_radius);
@@ -28,7 +28,7 @@ bool moves(const Run& run) {
     return by_word || (run.block.present & places) != 0;
 }
 
-std::uint64_t used_by_motion(const Run& run) {
+std::uint64_t used_by_motion(const Moving& run) {
     if (!moves(run)) return 0;
     switch (run.modal.motion) {
         case Modal::arc_cw:
@@ -74,7 +74,7 @@ std::uint64_t used_by_function(int m) {
 
 }  // namespace
 
-void refuse_letters(Run& run) {
+void refuse_letters(Moving& run) {
     const BlockWords& b = run.block;
     std::uint64_t left = b.present & held_letters;
     if (left == 0 || b.special != Modal::linear || run.curve.open) return;

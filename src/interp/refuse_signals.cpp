@@ -16,7 +16,7 @@ namespace {
 /// Of LinuxCNC's motion module: num_dio and num_aio are at most 64.
 constexpr double most_signals = 64;
 
-base::Span letter_of(const Run& run, Code code) {
+base::Span letter_of(const Reckoning& run, Code code) {
     const Unit& unit = run.unit();
     const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
     for (std::uint32_t i = run.statement->first; i < unit.words_end(index); ++i)
@@ -24,12 +24,12 @@ base::Span letter_of(const Run& run, Code code) {
     return run.here();
 }
 
-void refuse_letter(Run& run, Code code, std::string text, std::string remedy = {}) {
+void refuse_letter(Reckoning& run, Code code, std::string text, std::string remedy = {}) {
     alarm(run, codes::value_range, letter_of(run, code), std::move(text), std::move(remedy));
 }
 
 /// A number that is rounded; nothing where the block has none, or after a complaint.
-void refuse_number(Run& run, Code code, const std::string& m) {
+void refuse_number(Moving& run, Code code, const std::string& m) {
     const double n = run.block.has(code) ? run.block.peek(code) : 0;
     if (std::isnan(n))
         return unchecked(run, codes::unknown_value, letter_of(run, code),
@@ -43,14 +43,14 @@ void refuse_number(Run& run, Code code, const std::string& m) {
                           printed(Value::real(most_signals - 1)));
 }
 
-void require_letter(Run& run, Code code, const std::string& m, char letter) {
+void require_letter(Moving& run, Code code, const std::string& m, char letter) {
     if (!run.block.has(code) && !run.stopped)
         alarm(run, codes::value_range, run.here(), m + " needs " + letter + ", the number of the output",
               "write " + m + " " + letter + (letter == 'E' ? "0 Q1" : "0"));
 }
 
 /// What M66 waits for: 0 nothing, 1 a rise, 2 a fall, 3 high, 4 low.
-void refuse_wait(Run& run) {
+void refuse_wait(Moving& run) {
     constexpr double whole_enough = 1e-4;
     const BlockWords& b = run.block;
     const double l = b.has(Code::l) ? b.peek(Code::l) : 0, q = b.has(Code::q) ? b.peek(Code::q) : -1;
@@ -67,7 +67,7 @@ void refuse_wait(Run& run) {
         refuse_letter(run, Code::l, "M66 does not wait for an analog input (E)", "leave out L");
 }
 
-void refuse_input(Run& run) {
+void refuse_input(Moving& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::p) && b.has(Code::e))
         return refuse_letter(run, Code::e, "M66 names a digital input with P and an analog one with E",
@@ -79,7 +79,7 @@ void refuse_input(Run& run) {
     if (!run.stopped) refuse_wait(run);
 }
 
-void refuse_orientation(Run& run) {
+void refuse_orientation(Moving& run) {
     constexpr double whole_enough = 1e-3;
     const BlockWords& b = run.block;
     const double p = b.has(Code::p) ? b.peek(Code::p) : 0, q = b.has(Code::q) ? b.peek(Code::q) : 1;
@@ -94,7 +94,7 @@ void refuse_orientation(Run& run) {
         refuse_letter(run, Code::q, "Q of M19, the time to wait for the spindle, is above 0", "write seconds, e.g. Q5");
 }
 
-void refuse_signal(Run& run, int m) {
+void refuse_signal(Moving& run, int m) {
     const std::string name = "M" + std::to_string(m);
     if (m == 19) return refuse_orientation(run);
     if (m == 66) return refuse_input(run);
@@ -106,7 +106,7 @@ void refuse_signal(Run& run, int m) {
 
 }  // namespace
 
-void refuse_signals(Run& run) {
+void refuse_signals(Moving& run) {
     for (const int m : run.block.m)
         if (!run.stopped) refuse_signal(run, m);
 }

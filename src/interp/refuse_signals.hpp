@@ -5,6 +5,6 @@ namespace obrys::interp {
 
 struct Run;
 
-void refuse_signals(Run&);
+void refuse_signals(Moving&);
 
 }  // namespace obrys::interp

@@ -20,7 +20,7 @@ bool leaves_the_text(const Unit& unit) {
 
 }  // namespace
 
-void run_text(Run& run, const program::ProcedureCall& p) {
+void run_text(Calling& run, const program::ProcedureCall& p) {
     const Value v = p.arguments.empty() ? Value{} : evaluate(run, p.arguments[0]);
     if (run.stopped) return;
     if (v.is_unknown() || (v.is_text() && v.as_text().find('?') != std::string::npos))

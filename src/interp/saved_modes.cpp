@@ -8,21 +8,21 @@ namespace obrys::interp {
 
 using cl::SettingKind;
 
-void save_modes(Run& run, bool for_call) {
+void save_modes(Reckoning& run, bool for_call) {
     const Offsets& o = run.offsets;
     run.top().saved_modes = SavedModes{run.modal, run.feed, run.feed_valid, run.feed_number, run.spindle,  run.mist,
                                        run.flood, o.tool,   o.length,       o.length_tool,   run.overrides};
     run.top().restores_modes = for_call;
 }
 
-void forget_modes(Run& run) {
+void forget_modes(Saying& run) {
     run.top().saved_modes.reset();
     run.top().restores_modes = false;
 }
 
 namespace {
 
-void restore_spindle_mode(Run& run, const ModalState& s) {
+void restore_spindle_mode(Telling& run, const ModalState& s) {
     if (s.surface_speed == run.modal.surface_speed) return;
     tell(run, SettingKind::surface_speed, s.surface_speed ? 96 : 97, {s.surface_speed ? run.spindle.limit : 0});
     run.modal.surface_speed = s.surface_speed;
@@ -31,7 +31,7 @@ void restore_spindle_mode(Run& run, const ModalState& s) {
 
 /// In another kind of feed the one that was saved is not taken up again. The number of F comes back, not the feed: in
 /// the unit that is in force then.
-void restore_feed(Run& run, const SavedModes& s) {
+void restore_feed(Calling& run, const SavedModes& s) {
     constexpr Modal words[] = {Modal::feed_per_minute, Modal::feed_per_rev, Modal::feed_inverse_time};
     if (s.modal.feed_mode != run.modal.feed_mode) {
         static_cast<void>(apply_mode(run, words[static_cast<std::size_t>(s.modal.feed_mode)], 0));
@@ -45,7 +45,7 @@ void restore_feed(Run& run, const SavedModes& s) {
     emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
-void restore_spindle(Run& run, const SpindleState& s) {
+void restore_spindle(Moving& run, const SpindleState& s) {
     const bool speed = s.speed != run.spindle.speed, turn = s.direction != run.spindle.direction;
     run.spindle = s;
     run.spindle.mode_changed = false;
@@ -54,7 +54,7 @@ void restore_spindle(Run& run, const SpindleState& s) {
     if (speed || turn) emit_spindle(run);
 }
 
-void restore_coolant(Run& run, const SavedModes& s) {
+void restore_coolant(Telling& run, const SavedModes& s) {
     if (s.mist == run.mist && s.flood == run.flood) return;
     for (const int m : {9, 7, 8}) {
         const bool wanted = m == 9 ? (run.mist && !s.mist) || (run.flood && !s.flood) : m == 7 ? s.mist : s.flood;
@@ -64,7 +64,7 @@ void restore_coolant(Run& run, const SavedModes& s) {
     }
 }
 
-void restore_lengths(Run& run, const SavedModes& s) {
+void restore_lengths(Telling& run, const SavedModes& s) {
     Offsets& o = run.offsets;
     const bool same = o.length == s.length && o.length_tool == s.length_tool;
     o.length = s.length;
@@ -78,7 +78,7 @@ void restore_lengths(Run& run, const SavedModes& s) {
     if (run.modal.datum != s.modal.datum) set_datum(run, s.modal.datum);
 }
 
-void restore_path(Run& run, const ModalState& s) {
+void restore_path(Telling& run, const ModalState& s) {
     ModalState& m = run.modal;
     if (m.path_mode == s.path_mode && m.blend == s.blend && m.merge == s.merge) return;
     m.path_mode = s.path_mode;
@@ -88,7 +88,7 @@ void restore_path(Run& run, const ModalState& s) {
     tell_joining(run, false);
 }
 
-void restore_words(Run& run, const SavedModes& s) {
+void restore_words(Calling& run, const SavedModes& s) {
     const auto back = [&](bool differs, Modal m) {
         if (differs) static_cast<void>(apply_mode(run, m, 0));
     };
@@ -111,7 +111,7 @@ void restore_words(Run& run, const SavedModes& s) {
 }
 
 /// As the words M48 (both), M49 (none), M50 (feed) and M51 (speed) leave them.
-void restore_overrides(Run& run, const Overrides& s) {
+void restore_overrides(Telling& run, const Overrides& s) {
     if (run.overrides.feed != s.feed || run.overrides.speed != s.speed) {
         const bool none = !s.feed && !s.speed;
         if (s.feed || none) switch_override(run, cl::OverrideKind::feed, s.feed);
@@ -122,11 +122,12 @@ void restore_overrides(Run& run, const Overrides& s) {
 
 }  // namespace
 
-void restore_modes(Run& run) {
+void restore_modes(Calling& run) {
     if (!run.top().saved_modes) return;
     const SavedModes s = *run.top().saved_modes;
     const BlockWords block = std::move(run.block);  // what comes back stands in no block
     run.block = {};
+    const bool complained = std::exchange(run.complained, false);
     if (s.modal.inch_geometry != run.modal.inch_geometry)
         static_cast<void>(apply_mode(run, s.modal.inch_geometry ? Modal::inch_all : Modal::metric_all, 0));
     restore_spindle_mode(run, s.modal);
@@ -136,6 +137,7 @@ void restore_modes(Run& run) {
     restore_coolant(run, s);
     restore_overrides(run, s.overrides);
     run.block = block;
+    run.complained = complained;
 }
 
 }  // namespace obrys::interp

@@ -18,7 +18,7 @@ using cl::SettingKind;
 namespace {
 
 /// Allowances are cut by a radius that the program writes: the job's is the tool's. Wear is none of it.
-void compare_radius(Run& run, const shop::Tool& t, const shop::Tool& job) {
+void compare_radius(Saying& run, const shop::Tool& t, const shop::Tool& job) {
     constexpr double same = 1e-6;  // mm
     const auto nominal = [](const shop::Tool& x) {
         constexpr int wear = 15;  // $TC_DP15
@@ -37,7 +37,7 @@ void compare_radius(Run& run, const shop::Tool& t, const shop::Tool& job) {
 }  // namespace
 
 /// The job's length is what the tool has, and the program's is what the control compensates.
-void compare_with_job(Run& run, const shop::Tool& t) {
+void compare_with_job(Saying& run, const shop::Tool& t) {
     constexpr double same = 1e-6;  // mm
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
@@ -59,9 +59,11 @@ void compare_with_job(Run& run, const shop::Tool& t) {
 
 namespace {
 
-void refuse_g10(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), "G10: " + std::move(text)); }
+void refuse_g10(Saying& run, std::string text) {
+    alarm(run, codes::value_range, run.here(), "G10: " + std::move(text));
+}
 
-std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
+std::optional<int> whole(Moving& run, Code code, const char* letter, int most) {
     const double v = run.block.has(code) ? run.block.get(code) : -1;
     if (std::isnan(v)) {
         unchecked(run, codes::unknown_value, run.here(),
@@ -74,7 +76,7 @@ std::optional<int> whole(Run& run, Code code, const char* letter, int most) {
 }
 
 /// Coordinates in a zero offset with this place in the parameters, as they would be programmed there, without G92.
-Axes coordinates_in(const Run& run, std::uint32_t first) {
+Axes coordinates_in(const Reckoning& run, std::uint32_t first) {
     const program::OffsetParameters& p = run.traits->offsets;
     Axes c{};
     for (std::size_t k = 0; k < 9; ++k) {
@@ -90,7 +92,7 @@ Axes coordinates_in(const Run& run, std::uint32_t first) {
 }
 
 /// How far the offset goes on in the machine so that the axes of the block have the coordinates of their words.
-Axes step_to_words(const Run& run, std::uint32_t first) {
+Axes step_to_words(const Moving& run, std::uint32_t first) {
     const program::OffsetParameters& p = run.traits->offsets;
     const Axes at = coordinates_in(run, first);
     Axes step{};
@@ -105,7 +107,7 @@ Axes step_to_words(const Run& run, std::uint32_t first) {
 }
 
 /// Tells what has been written to a zero, along the axes that `said` holds a bit for.
-void tell_zero(Run& run, std::uint32_t number, std::uint32_t first, unsigned said, bool known) {
+void tell_zero(Moving& run, std::uint32_t number, std::uint32_t first, unsigned said, bool known) {
     cl::DatumData data;
     data.number = number;
     for (std::size_t k = 0; k < 3 && known; ++k)
@@ -118,7 +120,7 @@ void tell_zero(Run& run, std::uint32_t number, std::uint32_t first, unsigned sai
     emit(run, data);
 }
 
-void set_datum_data(Run& run, bool from_position) {
+void set_datum_data(Moving& run, bool from_position) {
     const program::OffsetParameters& p = run.traits->offsets;
     const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
     if (!which) return;
@@ -160,7 +162,7 @@ void set_datum_data(Run& run, bool from_position) {
     update_frame(run);
 }
 
-shop::Tool* tool_of_block(Run& run) {
+shop::Tool* tool_of_block(Moving& run) {
     const auto number = whole(run, Code::p, "P", 99'999'999);
     if (!number) return nullptr;
     const auto found = std::find_if(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) {
@@ -179,7 +181,7 @@ void turn_about_z(Axes& a, double by) {
 
 /// L10: the offset with which the position has the words' coordinates; L11: in the ninth zero offset (G59.3). What the
 /// tool's offset has beyond the active one stays in axes without a word, seen in the turned coordinates.
-Axes measured(const Run& run, const Axes& table, bool in_ninth) {
+Axes measured(const Moving& run, const Axes& table, bool in_ninth) {
     const program::OffsetParameters& p = run.traits->offsets;
     const std::uint32_t ninth = p.datum_first + 8 * p.datum_step;
     const Axes there = in_ninth ? coordinates_in(run, ninth) : Axes{};
@@ -202,7 +204,7 @@ void set_radius(shop::Tool& t, double radius) {
 }
 
 /// What is cut goes by the insert of the tool list.
-void compare_nose(Run& run, const shop::Tool& t) {
+void compare_nose(Saying& run, const shop::Tool& t) {
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
     if (run.env.tell_settings || job == run.env.tools.end() || job->kind != shop::ToolKind::turning) return;
@@ -216,7 +218,7 @@ void compare_nose(Run& run, const shop::Tool& t) {
 }
 
 /// Length and radius; what else there is as a record without values.
-void tell_tool_data(Run& run, const shop::Tool& t, int l) {
+void tell_tool_data(Moving& run, const shop::Tool& t, int l) {
     const BlockWords& b = run.block;
     cl::ToolData data{t.number, t.edge, {}, {}};
     if (l == 1 && axis_word(run, 2)) data.length = t.length;
@@ -227,7 +229,7 @@ void tell_tool_data(Run& run, const shop::Tool& t, int l) {
     if (other) emit(run, cl::ToolData{t.number, t.edge, {}, {}});
 }
 
-void set_tool_data(Run& run, int l) {
+void set_tool_data(Moving& run, int l) {
     shop::Tool* t = tool_of_block(run);
     if (t == nullptr) return;
     const BlockWords& b = run.block;
@@ -264,7 +266,7 @@ void set_tool_data(Run& run, int l) {
 }
 
 /// The first parameter of a zero offset by its place, P of G10.
-std::optional<std::uint32_t> row_of_datum(Run& run, program::DataTable table) {
+std::optional<std::uint32_t> row_of_datum(Moving& run, program::DataTable table) {
     const program::OffsetParameters& p = run.traits->offsets;
     if (table == program::DataTable::external_datum) return p.external_first;
     const bool extended = table == program::DataTable::extended_datum;
@@ -275,7 +277,7 @@ std::optional<std::uint32_t> row_of_datum(Run& run, program::DataTable table) {
     return (extended ? p.extended_first : p.datum_first) + (static_cast<std::uint32_t>(*row) - 1) * p.datum_step;
 }
 
-void write_datum(Run& run, program::DataTable table) {
+void write_datum(Moving& run, program::DataTable table) {
     const auto first = row_of_datum(run, table);
     if (!first) return;
     flush_path(run);
@@ -295,7 +297,7 @@ void write_datum(Run& run, program::DataTable table) {
 }
 
 /// The tool of offset P; one that no list has begins without dimensions.
-shop::Tool* tool_of_offset(Run& run) {
+shop::Tool* tool_of_offset(Moving& run) {
     const auto number = whole(run, Code::p, "P", 99'999);
     if (!number) return nullptr;
     if (*number == 0) return refuse_g10(run, "P must be the number of a tool offset"), nullptr;
@@ -307,7 +309,7 @@ shop::Tool* tool_of_offset(Run& run) {
     return &*made;
 }
 
-void write_tool_offset(Run& run, program::DataTable table) {
+void write_tool_offset(Moving& run, program::DataTable table) {
     using program::DataTable;
     if (!run.block.has(Code::radius)) return refuse_g10(run, "R, the value, is missing");
     if (std::isnan(run.block.get(Code::radius)))
@@ -333,7 +335,7 @@ void write_tool_offset(Run& run, program::DataTable table) {
 
 }  // namespace
 
-void set_data(Run& run, program::DataTable table) {
+void set_data(Moving& run, program::DataTable table) {
     using program::DataTable;
     run.block.use(Code::l);  // which table, and which row of it
     run.block.use(Code::p);

@@ -23,7 +23,7 @@ using program::Datum;
 using program::Special;
 using program::SpecialKind;
 
-double datum_of(Run& run, const Special& s, Datum datum, double otherwise) {
+double datum_of(Reckoning& run, const Special& s, Datum datum, double otherwise) {
     for (const program::DatumValue& d : s.data)
         if (d.datum == datum) return number(run, d.value);
     return otherwise;
@@ -64,7 +64,7 @@ std::string failure_text(path::SmoothFailure f) {
     }
 }
 
-void complain(Run& run, path::SmoothFailure f) {
+void complain(Saying& run, path::SmoothFailure f) {
     if (f == path::SmoothFailure::not_a_number)
         unchecked(run, codes::unknown_value, run.here(),
                   "this approach or departure depends on a position or value that is not known: it is left out");
@@ -72,7 +72,7 @@ void complain(Run& run, path::SmoothFailure f) {
         alarm(run, codes::value_range, run.here(), failure_text(f));
 }
 
-path::SmoothShape shape(Run& run, const Special& s) {
+path::SmoothShape shape(Reckoning& run, const Special& s) {
     const double unit = length_unit(run.modal);
     path::SmoothShape shape;
     shape.kind = shape_of(s.kind);
@@ -84,7 +84,7 @@ path::SmoothShape shape(Run& run, const Special& s) {
 }
 
 /// F of G26 and G27 is that of the approach or departure alone.
-void own_feed(Run& run, bool begins) {
+void own_feed(Moving& run, bool begins) {
     if (!run.block.has(Code::corner_feed) || !(run.block.get(Code::corner_feed) > 0)) return;
     if (begins)
         emit(run, cl::Feed{run.block.get(Code::corner_feed) * feed_factor(run), run.modal.feed_mode});
@@ -93,7 +93,7 @@ void own_feed(Run& run, bool begins) {
 }
 
 /// What the stream says of it; `at` in the programmed frame.
-cl::LeadBegin lead_of(Run& run, const Special& s, const Vec3& at, bool onto) {
+cl::LeadBegin lead_of(Moving& run, const Special& s, const Vec3& at, bool onto) {
     const path::SmoothShape form = shape(run, s);
     cl::LeadBegin lead;
     lead.kind = static_cast<cl::LeadKind>(form.kind);
@@ -109,7 +109,7 @@ cl::LeadBegin lead_of(Run& run, const Special& s, const Vec3& at, bool onto) {
 }
 
 /// The elements go through the path stage as they are; the one beside the contour carries the compensation.
-void push_approach(Run& run, const path::SmoothPath& p, const path::Setting& compensation) {
+void push_approach(Moving& run, const path::SmoothPath& p, const path::Setting& compensation) {
     for (std::size_t i = 0; i < p.path.size(); ++i) {
         path::Setting s;
         if (i + 1 == p.path.size()) s = compensation;
@@ -120,7 +120,7 @@ void push_approach(Run& run, const path::SmoothPath& p, const path::Setting& com
 
 /// The manuals know an approach from a point without compensation alone (P_S: "approached without radius compensation",
 /// iTNC 530 and TNC 640 User's Manual, "Important positions for approach and departure").
-void leave_contour_before(Run& run) {
+void leave_contour_before(Telling& run) {
     if (run.capture != nullptr) return;
     flush_path(run);
     if (!run.path->active()) return;
@@ -131,7 +131,7 @@ void leave_contour_before(Run& run) {
     run.path->end_compensation(run);
 }
 
-void approach(Run& run, const Special& s) {
+void approach(Moving& run, const Special& s) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     leave_contour_before(run);
     const Vec3 start = run.programmed_position;
@@ -139,7 +139,7 @@ void approach(Run& run, const Special& s) {
     // Who looks ahead wants an element of the contour. An approach has none for him, and must not look ahead in its
     // turn: of a row of them each would look through all that follow.
     if (run.look == Look::next_element) return arrive(run, target);
-    const std::optional<Captured> next = next_element(run, target);
+    const std::optional<Captured> next = run.onward->next_element(target);
     const path::Setting compensation = compensation_setting(run);
     path::ContourEnd contour;
     contour.at = in_plane(target, a);
@@ -163,7 +163,7 @@ void approach(Run& run, const Special& s) {
 }
 
 /// DEP and G27 end the compensation themselves: RL and RR have no place there, R0 says what they do.
-bool ends_compensation(Run& run, Modal before) {
+bool ends_compensation(Moving& run, Modal before) {
     const Modal said = run.modal.compensation;
     run.modal.compensation = before;
     if (said == before && (run.block.groups >> static_cast<unsigned>(program::ModalGroup::compensation) & 1U) == 0)
@@ -175,7 +175,7 @@ bool ends_compensation(Run& run, Modal before) {
     return false;
 }
 
-void departure(Run& run, const Special& s, Modal compensation_before) {
+void departure(Moving& run, const Special& s, Modal compensation_before) {
     if (!ends_compensation(run, compensation_before)) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 at = run.programmed_position;
@@ -219,7 +219,7 @@ void departure(Run& run, const Special& s, Modal compensation_before) {
 /// The control refuses a spline that starts more than 1 um beside the end of the last contour element (iTNC 530 User's
 /// Manual, "Contour movements - spline interpolation": "larger deviations will provoke an error message"); it is held
 /// to it axis by axis.
-void check_start(Run& run, const cl::Spline& spline) {
+void check_start(Reckoning& run, const cl::Spline& spline) {
     const Vec3 gap = cl::start_gap(run.position, spline);
     const double worst = std::max({std::abs(gap.x), std::abs(gap.y), std::abs(gap.z)});
     constexpr double allowed = 0.001 + 1e-9;
@@ -235,7 +235,7 @@ void check_start(Run& run, const cl::Spline& spline) {
 }
 
 /// The stream's splines have two additional axes at most, the control's five axes in all.
-bool has_too_many_axes(Run& run, const cl::Spline& spline) {
+bool has_too_many_axes(Telling& run, const cl::Spline& spline) {
     if (spline.axes.size() <= 2) return false;
     unchecked(run, codes::unsupported, run.here(),
               "a spline with more than two axes besides X, Y and Z is not followed: it is run straight");
@@ -245,7 +245,7 @@ bool has_too_many_axes(Run& run, const cl::Spline& spline) {
     return true;
 }
 
-void spline(Run& run, const Special& s) {
+void spline(Moving& run, const Special& s) {
     flush_path(run);
     const double unit = length_unit(run.modal);
     cl::Spline record;
@@ -289,7 +289,7 @@ void spline(Run& run, const Special& s) {
     if (!has_too_many_axes(run, record)) emit(run, std::move(record));
 }
 
-void act(Run& run, const Special& s, std::uint32_t index, Modal compensation_before) {
+void act(Moving& run, const Special& s, std::uint32_t index, Modal compensation_before) {
     if (s.kind <= SpecialKind::approach_arc_line) return approach(run, s);
     if (s.kind <= SpecialKind::departure_arc_line) return departure(run, s, compensation_before);
     if (s.kind == SpecialKind::spline) return spline(run, s);
@@ -299,10 +299,11 @@ void act(Run& run, const Special& s, std::uint32_t index, Modal compensation_bef
 
 }  // namespace
 
-void run_special(Run& run, const program::Statement& statement, std::uint32_t index) {
+void run_special(Cycling& run, const program::Statement& statement, std::uint32_t index) {
     const Unit& unit = run.unit();
     const Special& s = unit.specials[static_cast<std::size_t>(unit.words[statement.first].payload)];
     run.block.clear();
+    run.complained = false;
     const Modal compensation_before = run.modal.compensation;
     const std::uint32_t end = unit.words_end(index);
     for (std::uint32_t i = statement.first + 1; i < end; ++i) {

@@ -14,25 +14,25 @@ using program::ControlValue;
 
 namespace {
 
-bool in_block(const Run& run, int m) {
+bool in_block(const Moving& run, int m) {
     return std::find(run.block.m.begin(), run.block.m.end(), m) != run.block.m.end();
 }
 
-void stop_spindle(Run& run) {
+void stop_spindle(Moving& run) {
     run.spindle.direction = 0;
     run.spindle.direction_known = true;
     emit_spindle(run);
 }
 
 /// Degrees of SPOS, or of M19 where its R says so; of M19 alone the machine knows. Nothing: the block holds no spindle.
-std::optional<double> held_at(const Run& run) {
+std::optional<double> held_at(const Moving& run) {
     if (run.block.has(Code::spindle_position)) return run.block.peek(Code::spindle_position);
     if (!in_block(run, 19)) return std::nullopt;
     return run.block.has(Code::radius) ? run.block.peek(Code::radius) : NAN;
 }
 
 /// S; true where it changed something.
-bool speed_word(Run& run) {
+bool speed_word(Moving& run) {
     const BlockWords& b = run.block;
     if (!b.has(Code::spindle) || dwells_by_words(run)) return false;
     const double s = b.get(Code::spindle);
@@ -51,7 +51,7 @@ bool speed_word(Run& run) {
 }
 
 /// M3 and M4.
-bool turn_words(Run& run) {
+bool turn_words(Moving& run) {
     if (in_block(run, 3) && in_block(run, 4))
         unchecked(run, codes::repeated_word, run.here(),
                   "M3 and M4 stand in one block: which of them acts is not certain, the later one is run",
@@ -68,7 +68,7 @@ bool turn_words(Run& run) {
 }
 
 /// Function m by the control's own list of those that stop the spindle.
-void stop_by_list(Run& run, int m, bool before_motion) {
+void stop_by_list(Moving& run, int m, bool before_motion) {
     for (const program::SpindleStop& s : run.traits->spindle_stops) {
         if (s.function != m || s.before_motion != before_motion) continue;
         if (!s.certain) run.spindle.doubtful = true;
@@ -79,7 +79,7 @@ void stop_by_list(Run& run, int m, bool before_motion) {
 }
 
 /// LIMS, G92 S of lathes, G50 S. False where the control stops.
-bool take_speed_limit(Run& run) {
+bool take_speed_limit(Moving& run) {
     const double limit = run.block.get(Code::speed_limit);
     if (limit < 0)
         return alarm(run, codes::value_range, run.here(), "the limit of the spindle speed is negative"), false;
@@ -93,9 +93,9 @@ bool take_speed_limit(Run& run) {
 
 }  // namespace
 
-bool dwells_by_words(const Run& run) { return run.block.special == Modal::dwell && run.traits->dwell_in_feed_words; }
+bool dwells_by_words(const Moving& run) { return run.block.special == Modal::dwell && run.traits->dwell_in_feed_words; }
 
-void emit_spindle(Run& run) {
+void emit_spindle(Moving& run) {
     control_sets(run, {ControlValue::spindle_state});
     cl::Spindle s;
     s.speed = run.spindle.direction == 0 && std::isnan(run.spindle.speed) ? 0 : run.spindle.speed;
@@ -106,7 +106,7 @@ void emit_spindle(Run& run) {
     emit(run, s);
 }
 
-void stop_for_change(Run& run, bool same) {
+void stop_for_change(Moving& run, bool same) {
     const bool by_control = run.traits->tool_change_stops_spindle;
     const bool stops = run.env.machine.tool_change_stops_spindle.value_or(by_control || run.env.machine.kind ==
                                                                                             shop::MachineKind::mill);
@@ -115,7 +115,7 @@ void stop_for_change(Run& run, bool same) {
     if (run.spindle.direction != 0) stop_spindle(run);
 }
 
-bool spindle_words(Run& run) {
+bool spindle_words(Moving& run) {
     const BlockWords& b = run.block;
     bool changed = false;
     if (run.spindle.mode_changed) {
@@ -143,7 +143,7 @@ bool spindle_words(Run& run) {
     return changed;
 }
 
-void stop_function(Run& run, int m, bool before_motion) {
+void stop_function(Moving& run, int m, bool before_motion) {
     if (before_motion == run.traits->stops_before_motion) {
         if (m == 5 || m == 19) stop_spindle(run);
         if (m == 9) coolant(run, m);
@@ -151,7 +151,7 @@ void stop_function(Run& run, int m, bool before_motion) {
     stop_by_list(run, m, before_motion);
 }
 
-void other_spindle(Run& run, Code word, double number, double value) {
+void other_spindle(Reckoning& run, Code word, double number, double value) {
     const auto n = base::whole<int>(number, 1, 999);
     if (!n || std::isnan(value)) return;
     OtherSpindles::Other& other = run.spindles.others[*n];
@@ -161,7 +161,7 @@ void other_spindle(Run& run, Code word, double number, double value) {
     if (word == Code::m && (value == 5 || value == 19 || value == 70)) other.direction = 0;
 }
 
-void select_master(Run& run, std::optional<double> number) {
+void select_master(Moving& run, std::optional<double> number) {
     const auto n = number ? base::whole<int>(*number, 1, 999) : std::optional(1);
     if (!n)
         return unchecked(run, codes::unknown_value, run.here(),
@@ -182,7 +182,7 @@ void select_master(Run& run, std::optional<double> number) {
     emit_spindle(run);
 }
 
-void judge_stop(Run& run) {
+void judge_stop(Reckoning& run) {
     run.spindle.doubtful = false;
     if (run.spindle.direction == 0) return;
     assume(run, run.here(),

@@ -21,16 +21,16 @@ namespace {
 /// mm that a rational curve may be left by, where the stream has only cubics.
 constexpr double curve_tolerance = 1e-3;
 
-void refuse_curve(Run& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
+void refuse_curve(Saying& run, std::string text) { alarm(run, codes::value_range, run.here(), std::move(text)); }
 
 /// Compensation that was switched off without a move leaves the tool where it was.
-bool stands_beside(const Run& run) {
+bool stands_beside(const Telling& run) {
     constexpr double same = 1e-6;  // mm
     return !run.env.tell_settings && geom::is_finite(run.sent) && geom::distance(run.sent, run.position) > same;
 }
 
 /// False after a complaint.
-bool allowed(Run& run) {
+bool allowed(Moving& run) {
     if (run.modal.compensation != Modal::compensation_off)
         refuse_curve(run, "a spline cannot be run with radius compensation on");
     else if (!geom::is_finite(run.programmed_position))
@@ -48,16 +48,16 @@ bool allowed(Run& run) {
     return false;
 }
 
-void emit_curve(Run& run, const geom::Cubic& c) { emit(run, cl::spline_of(c)); }
+void emit_curve(Telling& run, const geom::Cubic& c) { emit(run, cl::spline_of(c)); }
 
-bool has_axes_beside_plane(const Run& run) {
+bool has_axes_beside_plane(const Moving& run) {
     for (int k = 2; k < 9; ++k)
         if (run.block.has(axis_code(k))) return true;
     return false;
 }
 
 /// What G5 and G5.1 want of their block: the plane, and not one word of another axis, be it where it stands.
-bool is_in_plane(Run& run) {
+bool is_in_plane(Moving& run) {
     if (run.modal.plane != 17)
         refuse_curve(run, "splines must be in the plane of G17");
     else if (has_axes_beside_plane(run))
@@ -65,13 +65,13 @@ bool is_in_plane(Run& run) {
     return !run.stopped;
 }
 
-Vec3 offset_of(const Run& run, Code x, Code y) {
+Vec3 offset_of(const Moving& run, Code x, Code y) {
     const double unit = length_unit(run.modal);
     const BlockWords& b = run.block;
     return {(b.has(x) ? b.get(x) : 0) * unit, (b.has(y) ? b.get(y) : 0) * unit, 0};
 }
 
-bool cubic(Run& run) {
+bool cubic(Moving& run) {
     const BlockWords& b = run.block;
     if (!is_in_plane(run)) return false;
     if (b.has(Code::i) != b.has(Code::j)) {
@@ -95,7 +95,7 @@ bool cubic(Run& run) {
     return true;
 }
 
-bool quadratic(Run& run) {
+bool quadratic(Moving& run) {
     if (!is_in_plane(run)) return false;
     if (!run.block.has(Code::i) || !run.block.has(Code::j)) {
         refuse_curve(run, "G5.1 needs both I and J");
@@ -112,7 +112,7 @@ bool quadratic(Run& run) {
 }
 
 /// Blocks between G5.2 and G5.3 may have moved the tool, and G6.2 names its first point itself.
-void begin_at(Run& run, const Vec3& start) {
+void begin_at(Telling& run, const Vec3& start) {
     if (!(geom::length(run.sent - start) > stream_joined)) return;
     unchecked(run, codes::unsupported, run.here(),
               "this curve does not begin where the tool stands: how the control comes to its first point is not known, "
@@ -122,7 +122,7 @@ void begin_at(Run& run, const Vec3& start) {
 }
 
 /// The whole curve into the stream.
-bool finish(Run& run) {
+bool finish(Moving& run) {
     ControlCurve& n = run.curve;
     n.open = false;
     if (!n.own_knots) n.curve.knots = geom::clamped_knots(n.curve.points.size(), n.curve.order);
@@ -156,7 +156,7 @@ bool knots_complete(const geom::Nurbs& c) {
     return true;
 }
 
-void begin_curve(Run& run, bool own_knots) {
+void begin_curve(Moving& run, bool own_knots) {
     run.curve = {};
     run.curve.open = true;
     run.curve.own_knots = own_knots;
@@ -165,7 +165,7 @@ void begin_curve(Run& run, bool own_knots) {
 }
 
 /// P of G6.2, L of G5.2, which takes the largest one and none below 3; false after a complaint.
-bool take_order(Run& run) {
+bool take_order(Moving& run) {
     ControlCurve& n = run.curve;
     const Code word = n.own_knots ? Code::p : Code::l;
     if (!run.block.has(word)) return true;
@@ -184,7 +184,7 @@ bool take_order(Run& run) {
 }
 
 /// What G5.2 wants of the blocks of its control points; `opens`: it stands in the block itself, which may leave out P.
-bool is_point_of_plane(Run& run, bool opens) {
+bool is_point_of_plane(Moving& run, bool opens) {
     const BlockWords& b = run.block;
     if (b.has(Code::x) != b.has(Code::y))
         refuse_curve(run, "a control point needs both X and Y");
@@ -200,13 +200,13 @@ bool is_point_of_plane(Run& run, bool opens) {
 }
 
 /// Of a plane: other axes stay where they are.
-Vec3 point_target(Run& run) {
+Vec3 point_target(Moving& run) {
     Vec3 to = programmed_target(run);
     if (!run.curve.own_knots) to.z = run.programmed_position.z;
     return to;
 }
 
-bool add_point(Run& run, bool opens) {
+bool add_point(Moving& run, bool opens) {
     const BlockWords& b = run.block;
     ControlCurve& n = run.curve;
     if (!n.own_knots && !is_point_of_plane(run, opens)) return false;
@@ -228,7 +228,7 @@ bool add_point(Run& run, bool opens) {
 
 }  // namespace
 
-bool spline_motion(Run& run) {
+bool spline_motion(Moving& run) {
     flush_path(run);
     const bool ends_nothing = run.block.special == Modal::nurbs_end && !geom::is_finite(run.programmed_position);
     if (ends_nothing || !allowed(run)) return false;

@@ -56,12 +56,12 @@ double after(const SurfaceMode& s, double turn, const Vec3& to) {
     return wanted + 360 * std::round((s.angle - wanted) / 360);
 }
 
-void tell_axis(Run& run, const cl::Record& record, double angle, bool counted) {
+void tell_axis(Telling& run, const cl::Record& record, double angle, bool counted) {
     run.surface.angle = angle;
     run.sink({axis_record(turned_axis, angle, true, counted), record.from, record.stack});
 }
 
-void send_polar(Run& run, cl::Record record) {
+void send_polar(Telling& run, cl::Record record) {
     SurfaceMode& s = run.surface;
     double turn = 0;
     Vec3 to = s.at;
@@ -83,13 +83,13 @@ void send_polar(Run& run, cl::Record record) {
 }
 
 /// A straight way on the unrolled cylinder.
-void send_unrolled(Run& run, const cl::Record& record, const Vec3& to, bool rapid) {
+void send_unrolled(Telling& run, const cl::Record& record, const Vec3& to, bool rapid) {
     tell_axis(run, record, degrees(to.y / run.surface.radius), false);
     run.surface.at = to;
     run.sink({cl::Linear{{to.x, 0, to.z}, {0, 0, 1}, rapid}, record.from, record.stack});
 }
 
-void send_cylinder(Run& run, const cl::Record& record) {
+void send_cylinder(Telling& run, const cl::Record& record) {
     if (const auto* line = std::get_if<cl::Linear>(&record.step))
         return send_unrolled(run, record, line->to, line->rapid);
     const auto* arc = std::get_if<cl::Arc>(&record.step);
@@ -110,7 +110,7 @@ void send_cylinder(Run& run, const cl::Record& record) {
 }
 
 /// Where C stands; said where that is not known.
-double begin_angle(Run& run) {
+double begin_angle(Reckoning& run) {
     const auto at = run.extra_axes.find(turned_axis);
     if (at != run.extra_axes.end() && !std::isnan(at->second)) return at->second;
     unchecked(run, codes::unknown_value, run.here(),
@@ -119,7 +119,7 @@ double begin_angle(Run& run) {
     return 0;
 }
 
-bool compensates(Run& run, const char* when) {
+bool compensates(Reckoning& run, const char* when) {
     if (run.modal.compensation == Modal::compensation_off) return false;
     alarm(run, codes::compensation, run.here(),
           std::string("polar or cylindrical interpolation is switched ") + when + " while radius compensation is on",
@@ -128,7 +128,7 @@ bool compensates(Run& run, const char* when) {
 }
 
 /// The place where the tool stands, told anew.
-void tell_place(Run& run, bool counted) {
+void tell_place(Telling& run, bool counted) {
     SurfaceMode& s = run.surface;
     const cl::Record here{cl::Linear{turned(run.position, counted ? s.start : 0), {0, 0, 1}, true}, run.here(),
                           run.top().stack};
@@ -136,7 +136,7 @@ void tell_place(Run& run, bool counted) {
     run.sink(here);
 }
 
-void begin(Run& run, SurfaceKind kind) {
+void begin(Moving& run, SurfaceKind kind) {
     if (compensates(run, "on")) return;
     SurfaceMode s;
     s.kind = kind;
@@ -156,7 +156,7 @@ void begin(Run& run, SurfaceKind kind) {
     if (kind == SurfaceKind::polar) tell_place(run, true);
 }
 
-void end(Run& run) {
+void end(Moving& run) {
     if (run.surface.kind == SurfaceKind::none || compensates(run, "off")) return;
     const SurfaceMode s = run.surface;
     run.surface = {};
@@ -173,7 +173,7 @@ void end(Run& run) {
 
 }  // namespace
 
-void set_surface(Run& run, Modal m) {
+void set_surface(Calling& run, Modal m) {
     flush_path(run);
     if (run.capture != nullptr) {
         if (run.look != Look::next_element)
@@ -186,7 +186,7 @@ void set_surface(Run& run, Modal m) {
     if (!run.stopped) begin(run, m == Modal::polar_face ? SurfaceKind::polar : SurfaceKind::cylinder);
 }
 
-void send_on_surface(Run& run, const cl::Record& record) {
+void send_on_surface(Telling& run, const cl::Record& record) {
     run.surface.kind == SurfaceKind::polar ? send_polar(run, record) : send_cylinder(run, record);
 }
 

@@ -45,7 +45,7 @@ bool same_coordinates(const Rotary& a, const Rotary& b) {
 }
 
 /// A position in the coordinates that `to` counts in, the linear axes standing.
-Vec3 converted(const Run& run, const Vec3& position, const Rotary& from, const Rotary& to) {
+Vec3 converted(const Reckoning& run, const Vec3& position, const Rotary& from, const Rotary& to) {
     if (same_coordinates(from, to)) return position;
     const shop::Chain chain = shop::chain_of(run.env.machine);
     const Vec3 origin = stream_origin(run);
@@ -57,7 +57,7 @@ Vec3 converted(const Run& run, const Vec3& position, const Rotary& from, const R
     return shop::pose_of(chain, then, tool).tip - origin;
 }
 
-void stand_at(Run& run, const Vec3& position) {
+void stand_at(Reckoning& run, const Vec3& position) {
     run.position = position;
     run.programmed_position = run.frame_is_identity ? position : geom::apply(geom::inverse(run.frame), position);
 }
@@ -113,13 +113,13 @@ const shop::AxisPosition* chosen(const std::vector<shop::AxisPosition>& all, std
 }
 
 /// The axis of the plane as the machine's table sees it: a zero offset may be turned about Z against it.
-Vec3 in_table(const Run& run, const Vec3& direction) {
+Vec3 in_table(const Reckoning& run, const Vec3& direction) {
     const auto turn = run.env.machine.datum_rotations.find(run.reference_datum);
     if (turn == run.env.machine.datum_rotations.end()) return direction;
     return geom::apply_direction(geom::Frame::rotation(2, turn->second), direction);
 }
 
-void tell_positions(Run& run, const shop::Chain& chain) {
+void tell_positions(Reckoning& run, const shop::Chain& chain) {
     run.tilted_axes.fill(std::numeric_limits<double>::quiet_NaN());
     for (std::size_t i = 0; i < run.aimed_at.size(); ++i) {
         const auto k = std::string_view("ABC").find(chain.joints[i].name[0]);
@@ -132,12 +132,12 @@ void tell_positions(Run& run, const shop::Chain& chain) {
 
 }  // namespace
 
-bool tilted(const Run& run) {
+bool tilted(const Reckoning& run) {
     return std::any_of(run.modal.transforms.begin(), run.modal.transforms.end(),
                        [](const Transform& t) { return t.kind == TransformKind::plane; });
 }
 
-Rotary rotary(const Run& run) {
+Rotary rotary(const Reckoning& run) {
     const shop::Machine& m = run.env.machine;
     Rotary r{std::vector<double>(m.chain.size(), 0), tilted(run)};
     for (std::size_t i = 0; i < m.chain.size(); ++i) {
@@ -148,7 +148,7 @@ Rotary rotary(const Run& run) {
     return r;
 }
 
-void aim(Run& run, const TiltChoice& choice, const base::Span& where) {
+void aim(Reckoning& run, const TiltChoice& choice, const base::Span& where) {
     const shop::Chain chain = shop::chain_of(run.env.machine);
     run.aimed_at.clear();
     if (!shop::has_rotary(chain)) return tell_positions(run, chain);
@@ -178,27 +178,27 @@ void aim(Run& run, const TiltChoice& choice, const base::Span& where) {
     tell_positions(run, chain);
 }
 
-void recount(Run& run, const Rotary& before) {
+void recount(Reckoning& run, const Rotary& before) {
     const Rotary now = rotary(run);
     if (!same_coordinates(before, now)) stand_at(run, converted(run, run.position, before, now));
 }
 
-Vec3 on_workpiece(const Run& run) {
+Vec3 on_workpiece(const Reckoning& run) {
     const Rotary now = rotary(run);
     return converted(run, run.position, now, {now.values, true});
 }
 
-geom::Vec3 along_machine(const Run& run) {
+geom::Vec3 along_machine(const Reckoning& run) {
     const Rotary now = rotary(run);
     return converted(run, run.position, now, {now.values, false});
 }
 
-geom::Vec3 from_along_machine(const Run& run, const geom::Vec3& position) {
+geom::Vec3 from_along_machine(const Reckoning& run, const geom::Vec3& position) {
     const Rotary now = rotary(run);
     return converted(run, position, {now.values, false}, now);
 }
 
-void tell_rotary(Run& run, const Vec3& axis_before) {
+void tell_rotary(Telling& run, const Vec3& axis_before) {
     const shop::Machine& m = run.env.machine;
     for (const std::size_t i : m.chain) {
         const auto at = run.extra_axes.find(m.axes[i].name);
@@ -210,7 +210,7 @@ void tell_rotary(Run& run, const Vec3& axis_before) {
     emit(run, cl::Linear{run.position, run.tool_axis, true});
 }
 
-void swivel(Run& run, bool keeps_tip, const Vec3& tip, const base::Span& where) {
+void swivel(Moving& run, bool keeps_tip, const Vec3& tip, const base::Span& where) {
     if (run.aimed_at.empty()) {
         unchecked(run, codes::unsupported, where,
                   "the positions of the rotary axes that PLANE ... MOVE or TURN goes to depend on the machine's "

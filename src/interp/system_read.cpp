@@ -19,7 +19,7 @@ using program::SystemVariable;
 namespace {
 
 struct Access {
-    Run& run;
+    Reckoning& run;
     const Expr& e;
     [[nodiscard]] base::Span where() const { return {run.unit().file, e.begin, e.end}; }
     [[nodiscard]] const std::string& name() const { return run.env.names.text(e.a); }
@@ -283,7 +283,7 @@ Value held_from_before(const Access& a, SystemVariable v) {
 }
 
 Value run_state(const Access& a, SystemVariable v) {
-    const Run& run = a.run;
+    const auto& run = a.run;
     switch (v) {
         case SystemVariable::feed:
             return run.feed_unknown || !run.feed_valid ? unknown_value(a, "no feed is known here")
@@ -357,7 +357,7 @@ int tool_parameter_number(const std::string& name) {
     return n;
 }
 
-Value read_system(Run& run, const Expr& e) {
+Value read_system(Reckoning& run, const Expr& e) {
     const Access a{run, e};
     const auto v = static_cast<SystemVariable>(e.op);
     if (v == SystemVariable::ini_value) return setting_value(a);

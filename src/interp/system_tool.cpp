@@ -13,10 +13,10 @@ using program::SystemVariable;
 
 namespace {
 
-double index_of(Run& run, const Expr& e) { return e.count == 0 ? 0 : number(run, run.unit().children[e.b]); }
+double index_of(Reckoning& run, const Expr& e) { return e.count == 0 ? 0 : number(run, run.unit().children[e.b]); }
 
 /// The tool [n]; 0: the one in the spindle.
-const shop::Tool* tool_of(Run& run, const Expr& e) {
+const shop::Tool* tool_of(Reckoning& run, const Expr& e) {
     const double n = index_of(run, e);
     if (n == 0) return run.tool.data;
     for (const shop::Tool& t : run.tools)
@@ -40,7 +40,7 @@ std::optional<double> column(const shop::Tool& t, SystemVariable v) {
 
 std::optional<double> known(double v) { return std::isnan(v) ? std::nullopt : std::optional(v); }
 
-std::optional<double> of_tool(const Run& run, SystemVariable v) {
+std::optional<double> of_tool(const Reckoning& run, SystemVariable v) {
     const auto of_call = [&](double delta) { return run.tool.known ? std::optional(delta) : std::nullopt; };
     switch (v) {
         case SystemVariable::prepared_tool:
@@ -54,7 +54,7 @@ std::optional<double> of_tool(const Run& run, SystemVariable v) {
     }
 }
 
-std::optional<double> of_axis(Run& run, const Expr& e, SystemVariable v) {
+std::optional<double> of_axis(Reckoning& run, const Expr& e, SystemVariable v) {
     const std::string axis = axis_of(run, e.count == 0 ? program::no_expr : run.unit().children[e.b]);
     if (v == SystemVariable::travel_min || v == SystemVariable::travel_max) {
         const shop::MachineAxis* known = machine_axis(run, axis);
@@ -71,7 +71,7 @@ std::optional<double> of_axis(Run& run, const Expr& e, SystemVariable v) {
     return v == SystemVariable::shift_of_axis ? 0 : 1;
 }
 
-std::optional<double> of_run(const Run& run, SystemVariable v) {
+std::optional<double> of_run(const Reckoning& run, SystemVariable v) {
     switch (v) {
         case SystemVariable::inch_program: return run.modal.inch_geometry ? 1 : 0;
         case SystemVariable::tool_axis: return known(control_value(run, program::ControlValue::tool_axis));
@@ -96,7 +96,7 @@ std::optional<double> of_run(const Run& run, SystemVariable v) {
 
 }  // namespace
 
-std::optional<double> tool_or_frame(Run& run, const Expr& e) {
+std::optional<double> tool_or_frame(Reckoning& run, const Expr& e) {
     const auto v = static_cast<SystemVariable>(e.op);
     if (v >= SystemVariable::table_length && v <= SystemVariable::table_delta_corner) {
         const shop::Tool* t = tool_of(run, e);

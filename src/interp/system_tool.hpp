@@ -9,6 +9,6 @@ namespace obrys::interp {
 
 /// Value of a system variable from `inch_program` on (program/expr.hpp), in mm and degrees; nothing where the shop does
 /// not say it.
-[[nodiscard]] std::optional<double> tool_or_frame(Run&, const program::Expr&);
+[[nodiscard]] std::optional<double> tool_or_frame(Reckoning&, const program::Expr&);
 
 }  // namespace obrys::interp

@@ -36,7 +36,7 @@ struct Cells {
 };
 
 /// Nothing after a complaint; `add` makes a row that is not there.
-std::optional<Cells> cells_of(Run& run, const program::ProcedureCall& p, ExprId row, ExprId columns, ExprId first,
+std::optional<Cells> cells_of(Reckoning& run, const program::ProcedureCall& p, ExprId row, ExprId columns, ExprId first,
                               bool add) {
     Cells c;
     c.first = &run.unit().exprs[first];
@@ -68,7 +68,8 @@ std::optional<Cells> cells_of(Run& run, const program::ProcedureCall& p, ExprId 
 }
 
 /// Number of the parameter for the n-th column; nothing after an alarm.
-std::optional<std::uint32_t> parameter_of(Run& run, const program::ProcedureCall& p, const Cells& c, std::size_t n) {
+std::optional<std::uint32_t> parameter_of(Reckoning& run, const program::ProcedureCall& p, const Cells& c,
+                                          std::size_t n) {
     const std::uint64_t number = std::uint64_t{c.first->a} + n;
     if (c.first->kind == program::ExprKind::parameter && number < run.parameters.count())
         return static_cast<std::uint32_t>(number);
@@ -88,14 +89,14 @@ double number_in(std::string text) {
 
 }  // namespace
 
-void open_table(Run& run, const program::ProcedureCall& p) {
+void open_table(Reckoning& run, const program::ProcedureCall& p) {
     run.open_table = base::to_upper(printed(evaluate(run, p.arguments[0])));
     if (run.env.files != nullptr && run.env.files->table(run.open_table) != nullptr) return;
     unchecked(run, codes::unknown_value, p.where, "the table " + run.open_table + " is not at hand",
               "put it beside the program");
 }
 
-void write_table(Run& run, const program::ProcedureCall& p) {
+void write_table(Reckoning& run, const program::ProcedureCall& p) {
     const auto c = cells_of(run, p, p.arguments[0], p.arguments[1], p.arguments[2], true);
     if (!c || run.capture != nullptr) return;
     for (std::size_t n = 0; n < c->columns.size(); ++n) {
@@ -114,7 +115,7 @@ void write_table(Run& run, const program::ProcedureCall& p) {
     assume(run, p.where, "what the program writes into the table " + run.open_table + " is kept for this run alone");
 }
 
-void read_table(Run& run, const program::ProcedureCall& p) {
+void read_table(Reckoning& run, const program::ProcedureCall& p) {
     const auto c = cells_of(run, p, p.arguments[1], p.arguments[2], p.arguments[0], false);
     const program::Expr& first = run.unit().exprs[p.arguments[0]];
     if (run.stopped) return;

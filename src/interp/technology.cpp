@@ -15,7 +15,7 @@ using program::ControlValue;
 namespace {
 
 /// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
-void special_feeds(Run& run) {
+void special_feeds(Moving& run) {
     BlockWords& b = run.block;
     if (b.has(Code::feed_per_tooth)) {
         const shop::Tool* t = run.tool.data;
@@ -43,7 +43,7 @@ void special_feeds(Run& run) {
     run.feed_valid = false;
 }
 
-void feed_word(Run& run) {
+void feed_word(Moving& run) {
     special_feeds(run);
     if (!run.block.has(Code::feed) || dwells_by_words(run) || changes_pitch(run.modal.motion)) return;
     double f = run.block.get(Code::feed);
@@ -66,7 +66,7 @@ void feed_word(Run& run) {
 }
 
 /// FB: the path of this block is run at another feed.
-void begin_feed_alone(Run& run) {
+void begin_feed_alone(Moving& run) {
     const double f = *run.block.feed_alone * feed_factor(run);
     if (f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
     if (std::isnan(f))
@@ -80,13 +80,13 @@ void begin_feed_alone(Run& run) {
 
 }  // namespace
 
-void end_feed_alone(Run& run) {
+void end_feed_alone(Moving& run) {
     run.block.feed_alone.reset();
     run.feed_dropped = !run.feed_valid;
     if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
-void coolant(Run& run, int m) {
+void coolant(Telling& run, int m) {
     run.coolant_on = m != 9;
     run.mist = m == 9 ? false : run.mist || m == 7;
     run.flood = m == 9 ? false : run.flood || m == 8;
@@ -96,18 +96,18 @@ void coolant(Run& run, int m) {
     emit(run, cl::Coolant{run.flood, run.mist});
 }
 
-bool is_own_function(const Run& run, int m) {
+bool is_own_function(const Saying& run, int m) {
     const auto own = run.traits->own_functions;
     return std::find(own.begin(), own.end(), m) != own.end();
 }
 
-bool is_standard_function(const Run& run, int m) {
+bool is_standard_function(const Saying& run, int m) {
     return is_own_function(run, m) || (m >= 0 && m <= 9) || m == 17 || m == 30 || m == 19 || (m >= 40 && m <= 45);
 }
 
 namespace {
 
-void machine_functions(Run& run) {
+void machine_functions(Moving& run) {
     for (const int m : run.block.m) {
         if (m == 7 || m == 8) coolant(run, m);
         if (is_standard_function(run, m)) continue;
@@ -121,7 +121,7 @@ void machine_functions(Run& run) {
 
 }  // namespace
 
-double feed_factor(const Run& run) {
+double feed_factor(const Reckoning& run) {
     if (!run.modal.inch_feed || run.modal.feed_mode == cl::FeedMode::inverse_time) return 1;
     return run.modal.feed_mode == cl::FeedMode::per_minute ? run.unit().traits->inch_feed : 25.4;
 }
@@ -129,7 +129,7 @@ double feed_factor(const Run& run) {
 namespace {
 
 /// RNDM, FRCM and FRC.
-void corner_words(Run& run) {
+void corner_words(Moving& run) {
     const BlockWords& b = run.block;
     if (b.has(Code::round_modal)) {
         const double size = b.get(Code::round_modal) * length_unit(run.modal);
@@ -155,7 +155,7 @@ void corner_words(Run& run) {
 
 }  // namespace
 
-void technology(Run& run) {
+void technology(Moving& run) {
     BlockWords& b = run.block;
     constexpr std::uint64_t words = bit(Code::feed) | bit(Code::spindle) | bit(Code::speed_limit) | bit(Code::tool) |
                                     bit(Code::edge) | bit(Code::spindle_position) | bit(Code::round_modal) |
@@ -179,7 +179,7 @@ void technology(Run& run) {
 namespace {
 
 /// M2 and M30 return from a called program, or end the run where the control says so.
-void end_of_program(Run& run, int m) {
+void end_of_program(Calling& run, int m) {
     const bool called = run.calls.size() > 1;
     const std::string word = "M" + std::to_string(m);
     say_blocks_behind(run, word);
@@ -203,7 +203,7 @@ void end_of_program(Run& run, int m) {
 
 }  // namespace
 
-void after_motion(Run& run) {
+void after_motion(Calling& run) {
     if (run.block.stops_run) {
         run.spindle.doubtful = true;
         emit(run, cl::Stop{cl::StopKind::program});

@@ -11,7 +11,7 @@ namespace obrys::interp {
 
 using cl::SettingKind;
 
-void tell(Run& run, SettingKind kind, int number, std::initializer_list<double> values) {
+void tell(Telling& run, SettingKind kind, int number, std::initializer_list<double> values) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
     s.kind = kind;
@@ -20,7 +20,7 @@ void tell(Run& run, SettingKind kind, int number, std::initializer_list<double> 
     emit(run, s);
 }
 
-void tell_tool_entry(Run& run, int place, int tool, std::initializer_list<double> values) {
+void tell_tool_entry(Telling& run, int place, int tool, std::initializer_list<double> values) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
     s.kind = SettingKind::tool_entry;
@@ -30,7 +30,7 @@ void tell_tool_entry(Run& run, int place, int tool, std::initializer_list<double
     emit(run, s);
 }
 
-void tell(Run& run, SettingKind kind, int number, const Axes& values) {
+void tell(Telling& run, SettingKind kind, int number, const Axes& values) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
     s.kind = kind;
@@ -63,31 +63,31 @@ cl::PathMode path_mode_of(const ModalState& m, bool smoothing_words) {
 
 }  // namespace
 
-void tell_joining(Run& run, bool smoothing_words) {
+void tell_joining(Telling& run, bool smoothing_words) {
     const cl::PathMode now = path_mode_of(run.modal, smoothing_words);
     if (run.told.path && *run.told.path == now) return;
     run.told.path = now;
     emit(run, now);
 }
 
-void tell_path_mode(Run& run) {
+void tell_path_mode(Telling& run) {
     const ModalState& m = run.modal;
     const int number = m.path_mode == Modal::path_exact ? 0 : m.path_mode == Modal::path_stop ? 1 : 2;
     tell(run, SettingKind::path_mode, number, {m.blend, m.merge});
 }
 
-void tell_feed_override(Run& run, bool on) {
+void tell_feed_override(Telling& run, bool on) {
     if (run.env.tell_settings) emit(run, cl::Override{cl::OverrideKind::feed, on});
 }
 
-void switch_override(Run& run, cl::OverrideKind kind, bool on) {
+void switch_override(Telling& run, cl::OverrideKind kind, bool on) {
     if (kind == cl::OverrideKind::feed) run.overrides.feed = on;
     if (kind == cl::OverrideKind::spindle) run.overrides.speed = on;
     if (kind == cl::OverrideKind::feed_hold) run.overrides.hold = on;
     emit(run, cl::Override{kind, on});
 }
 
-void tell_frame(Run& run) {
+void tell_frame(Telling& run) {
     if (!run.env.tell_settings || run.capture != nullptr || run.statement == nullptr) return;
     const geom::Frame& f = run.frame;
     const geom::Vec3 o = f.origin;
@@ -97,12 +97,12 @@ void tell_frame(Run& run) {
     tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
 }
 
-void tell_inverse_feed(Run& run, double length) {
+void tell_inverse_feed(Moving& run, double length) {
     if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
     tell(run, SettingKind::feed_rate, 0, {std::max(0.1, length / length_unit(run.modal) * run.block.peek(Code::feed))});
 }
 
-void tell_end(Run& run, int m) {
+void tell_end(Telling& run, int m) {
     if (!run.env.tell_settings || !keeps_offsets(run)) return;
     run.modal.datum = 54;
     load_datum(run);  // also where it is in force: the program may have written its parameters
@@ -116,7 +116,7 @@ void tell_end(Run& run, int m) {
     if (m == 30) tell(run, SettingKind::pallet_change);
 }
 
-void begin_telling(Run& run) {
+void begin_telling(Telling& run) {
     if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
     const auto place = place_of_datum(run.modal.datum);
     tell_frame(run);
@@ -131,13 +131,13 @@ namespace {
 int whole(double v) { return base::cut<int>(v, -1'000'000'000, 1'000'000'000).value_or(0); }
 
 /// Place in the tool list, 1 the first; 0 where it is not there.
-int place_of(const Run& run, std::uint32_t number) {
+int place_of(const Reckoning& run, std::uint32_t number) {
     for (std::size_t i = 0; i < run.tools.size(); ++i)
         if (run.tools[i].number == number) return static_cast<int>(i) + 1;
     return 0;
 }
 
-void tell_tool(Run& run) {
+void tell_tool(Moving& run) {
     const BlockWords& b = run.block;
     const bool changes = run.block.has_m(6);
     if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
@@ -152,7 +152,7 @@ void tell_tool(Run& run) {
 }
 
 /// M62 … M68 of controls that have them; of others they are functions of the machine.
-void outputs(Run& run) {
+void outputs(Moving& run) {
     const BlockWords& b = run.block;
     const auto number_of = [&](Code c) { return b.has(c) ? base::clipped<std::uint32_t>(b.peek(c), 0, 1'000'000) : 0; };
     for (const int m : b.m) {
@@ -164,7 +164,7 @@ void outputs(Run& run) {
     }
 }
 
-void tell_spindle(Run& run) {
+void tell_spindle(Moving& run) {
     for (const int m : run.block.m) {
         if (m >= 3 && m <= 5) tell(run, SettingKind::spindle_turn, m == 3 ? 1 : m == 4 ? -1 : 0);
         if (m == 19)
@@ -174,7 +174,7 @@ void tell_spindle(Run& run) {
     }
 }
 
-void set_overrides(Run& run) {
+void set_overrides(Moving& run) {
     const BlockWords& b = run.block;
     const bool on = !b.has(Code::p) || b.peek(Code::p) != 0;
     for (const int m : b.m) {
@@ -190,7 +190,7 @@ void set_overrides(Run& run) {
 
 }  // namespace
 
-void tell_technology(Run& run) {
+void tell_technology(Moving& run) {
     const BlockWords& b = run.block;
     if (b.surface_word != 0)
         tell(run, SettingKind::surface_speed, b.surface_word,

@@ -87,7 +87,7 @@ std::optional<std::string> formatted(const TextFormat& f, const Value& v) {
 
 }  // namespace
 
-Value format_text(Run& run, const program::Expr& e) {
+Value format_text(Reckoning& run, const program::Expr& e) {
     const auto argument = [&](std::size_t i) {
         const ExprId id = i < e.count ? run.unit().children[e.b + i] : program::no_expr;
         return id == program::no_expr ? Value::string({}) : evaluate(run, id);

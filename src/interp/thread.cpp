@@ -14,7 +14,7 @@ namespace codes = base::codes;
 namespace {
 
 /// The way along which the control counts the pitch; `axis`: that of the word that says it.
-double way_of_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to, double axis) {
+double way_of_pitch(const Saying& run, const geom::Vec3& from, const geom::Vec3& to, double axis) {
     const geom::Vec3 way = to - from;
     switch (run.traits->pitch_along) {
         case program::PitchAlong::axis_of_word: return axis;
@@ -26,7 +26,7 @@ double way_of_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
 }
 
 /// Along the move.
-double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to) {
+double thread_pitch(const Moving& run, const geom::Vec3& from, const geom::Vec3& to) {
     const BlockWords& b = run.block;
     double pitch = 0, longest = -1;
     const Code pitches[3] = {Code::i, Code::j, Code::k};
@@ -51,7 +51,7 @@ double thread_pitch(const Run& run, const geom::Vec3& from, const geom::Vec3& to
 /// Fundamentals, "Rigid tapping (G331, G332)"); the stream's is that of the thread. Both are the same on the way in
 /// with G331 and on the way out with G332: another way along the tool axis makes a thread of the other hand. On a
 /// lathe, where taps work from either side, nothing tells the way in.
-double pitch_of_thread(const Run& run, double pitch, const geom::Vec3& from, const geom::Vec3& to) {
+double pitch_of_thread(const Reckoning& run, double pitch, const geom::Vec3& from, const geom::Vec3& to) {
     const Modal m = run.modal.motion;
     if ((m != Modal::tap && m != Modal::tap_retract) || run.env.machine.kind != shop::MachineKind::mill) return pitch;
     const geom::Vec3 way = run.frame_is_identity ? to - from : geom::apply_direction(run.frame, to - from);
@@ -63,7 +63,7 @@ double pitch_of_thread(const Run& run, double pitch, const geom::Vec3& from, con
 }  // namespace
 
 /// G33.1: down with the spindle, and back with it reversed.
-bool rigid_tap(Run& run) {
+bool rigid_tap(Moving& run) {
     flush_path(run);
     const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
     cl::Thread t;
@@ -79,7 +79,7 @@ bool rigid_tap(Run& run) {
     return true;
 }
 
-bool thread_motion(Run& run, const geom::Vec3& to) {
+bool thread_motion(Moving& run, const geom::Vec3& to) {
     const Modal m = run.modal.motion;
     flush_path(run);
     if (m > Modal::tap_retract) {

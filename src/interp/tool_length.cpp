@@ -22,14 +22,14 @@ constexpr double same_length = 1e-6;  ///< mm
 
 double length_of(const shop::Tool& t) { return axes_of(t)[2]; }
 
-const Offsets::TouchedOff* zero_of(const Run& run) {
+const Offsets::TouchedOff* zero_of(const Reckoning& run) {
     const auto found = run.offsets.zeros.find(run.modal.datum);
     return found == run.offsets.zeros.end() ? nullptr : &found->second;
 }
 
 /// What the zero counts from, seen from the gauge point: the tip of the tool it was set with, or that point itself;
 /// nothing: not known, and the tip is taken to be where the program says.
-std::optional<Axes> base_of(const Run& run) {
+std::optional<Axes> base_of(const Reckoning& run) {
     const Offsets& o = run.offsets;
     const bool taken_at_change = run.env.tool_lengths == ToolLengths::at_change;
     if (o.length == Length::none && taken_at_change) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Axes> base_of(const Run& run) {
 std::string millimetres(double v) { return base::fixed(v, 3) + " mm"; }
 std::string tool_text(std::uint32_t n) { return "T" + std::to_string(n); }
 
-void finding(Run& run, const shop::Tool& t, double low) {
+void finding(Reckoning& run, const shop::Tool& t, double low) {
     const Offsets& o = run.offsets;
     const Offsets::TouchedOff* zero = zero_of(run);
     const std::string where = "its tip is " + millimetres(std::abs(low)) + (low > 0 ? " lower" : " higher") +
@@ -68,12 +68,12 @@ void finding(Run& run, const shop::Tool& t, double low) {
     d.where = run.here();
     d.text = text + ": " + where;
     d.remedy = std::move(remedy);
-    d.stack = run.stacks.sites(run.top().stack);
+    d.stack = run.stacks->sites(run.top().stack);
     raise(run, std::move(d));
 }
 
 /// Without compensation, and where the tip is then is not known; true where it was said.
-bool judge_uncompensated(Run& run, const shop::Tool& t) {
+bool judge_uncompensated(Reckoning& run, const shop::Tool& t) {
     const Offsets& o = run.offsets;
     const double length = length_of(t);
     const std::string tool = tool_text(t.number);
@@ -110,7 +110,7 @@ bool judge_uncompensated(Run& run, const shop::Tool& t) {
 }
 
 /// With a compensation that is not that of this tool as far as is known; true where it was said.
-bool judge_compensated(Run& run, const shop::Tool& t) {
+bool judge_compensated(Reckoning& run, const shop::Tool& t) {
     const Offsets& o = run.offsets;
     const Offsets::TouchedOff* zero = zero_of(run);
     const bool own = o.length != Length::of_tool || o.length_tool == t.number;
@@ -125,7 +125,7 @@ bool judge_compensated(Run& run, const shop::Tool& t) {
 }
 
 /// The block says a height of the workpiece; from home, whose place nobody knows, a step leads nowhere known.
-bool names_height(const Run& run) {
+bool names_height(const Moving& run) {
     const BlockWords& b = run.block;
     if (!b.has(Code::z) || std::isnan(b.peek(Code::z))) return false;
     return !is_incremental(run, b.ref(Code::z)) || !std::isnan(run.programmed_position.z);
@@ -133,7 +133,7 @@ bool names_height(const Run& run) {
 
 /// A rapid move to a height: where lengths are compensated in this program, or the zero is another tool's, nobody knows
 /// where its tip comes to stand. A zero is not taken by it.
-void judge_rapid(Run& run, const shop::Tool& t) {
+void judge_rapid(Moving& run, const shop::Tool& t) {
     Offsets& o = run.offsets;
     if (o.tip_known || o.length_said || !names_height(run)) return;
     if (o.length != Length::none)
@@ -143,7 +143,7 @@ void judge_rapid(Run& run, const shop::Tool& t) {
 }
 
 /// The first tool that cuts by a zero says how it is meant.
-void take_zero(Run& run, const shop::Tool& t) {
+void take_zero(Telling& run, const shop::Tool& t) {
     Offsets& o = run.offsets;
     const bool gauge = o.length != Length::none || run.env.tool_lengths == ToolLengths::gauge ||
                        (o.compensates && run.env.tool_lengths == ToolLengths::not_said);
@@ -153,7 +153,7 @@ void take_zero(Run& run, const shop::Tool& t) {
 
 }  // namespace
 
-void while_standing(Run& run, base::FunctionRef<void()> change) {
+void while_standing(Telling& run, base::FunctionRef<void()> change) {
     flush_path(run);
     const Axes before = tip_in_use(run.offsets);
     change();
@@ -168,7 +168,7 @@ Axes axes_of(const shop::Tool& t) {
     return a;
 }
 
-void take_tip(Run& run) {
+void take_tip(Telling& run) {
     if (!keeps_offsets(run)) return;
     const shop::Tool* t = run.tool.data;
     while_standing(run, [&] {
@@ -180,7 +180,7 @@ void take_tip(Run& run) {
     });
 }
 
-void zero_set_here(Run& run) {
+void zero_set_here(Reckoning& run) {
     const shop::Tool* t = run.tool.data;
     if (t == nullptr || !keeps_offsets(run)) return;
     Offsets& o = run.offsets;
@@ -188,7 +188,7 @@ void zero_set_here(Run& run) {
     judge_anew(o);
 }
 
-void judge_length(Run& run) {
+void judge_length(Moving& run) {
     Offsets& o = run.offsets;
     const shop::Tool* t = run.tool.data;
     const Modal m = run.modal.motion;

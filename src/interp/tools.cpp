@@ -47,7 +47,7 @@ bool has_position_of_no_kind(const shop::Tool& t) {
            !base::whole<int>(position->second, 0, 9);
 }
 
-const shop::Tool* find_tool(const Run& run, const ToolState& t) {
+const shop::Tool* find_tool(const Reckoning& run, const ToolState& t) {
     if (t.number == cl::unknown_tool) return nullptr;
     for (const shop::Tool& tool : run.tools) {
         const bool same =
@@ -59,14 +59,14 @@ const shop::Tool* find_tool(const Run& run, const ToolState& t) {
 
 /// A tool word as number and edge: 1 (MD20270 CUTTING_EDGE_DEFAULT as delivered), or that of the index; nothing where
 /// it is none.
-std::optional<std::pair<std::uint32_t, std::uint32_t>> tool_number(const Run& run, double t) {
+std::optional<std::pair<std::uint32_t, std::uint32_t>> tool_number(const Saying& run, double t) {
     const double index = run.traits->indexed_tools ? std::round((t - std::floor(t + 1e-9)) * 10) : 0;
     const auto number = base::whole<std::uint32_t>(std::round((t - index / 10) * 1e9) / 1e9);
     if (!(t >= 0) || !number || *number == cl::unknown_tool) return std::nullopt;
     return std::pair{*number, 1 + base::clipped<std::uint32_t>(index, 0, 9)};
 }
 
-void tool_into_spindle(Run& run) {
+void tool_into_spindle(Reckoning& run) {
     run.tool.number = run.tool.prepared;
     run.tool.name = run.tool.prepared_name;
     run.tool.waiting = false;
@@ -79,12 +79,12 @@ void tool_into_spindle(Run& run) {
     run.tool.edge = run.tool.prepared_edge;
 }
 
-bool changes_on_m6(const Run& run) {
+bool changes_on_m6(const Saying& run) {
     return run.traits->changes_on_m6 || run.env.machine.kind == shop::MachineKind::mill;
 }
 
 /// `standing`: it is in the spindle already.
-void emit_tool(Run& run, bool standing = false) {
+void emit_tool(Telling& run, bool standing = false) {
     run.tool.data = find_tool(run, run.tool);
     const bool lathe = run.env.machine.kind == shop::MachineKind::lathe;
     cl::ToolChange change{run.tool.number,       run.tool.edge,         run.tool.name,
@@ -100,7 +100,7 @@ void emit_tool(Run& run, bool standing = false) {
 
 }  // namespace
 
-void begin_with_tool(Run& run, std::uint32_t number) {
+void begin_with_tool(Telling& run, std::uint32_t number) {
     run.tool.prepared = number;
     run.tool.selected = number;
     tool_into_spindle(run);
@@ -108,7 +108,7 @@ void begin_with_tool(Run& run, std::uint32_t number) {
     emit_tool(run, true);
 }
 
-std::vector<shop::Tool>::iterator add_tool(Run& run, std::uint32_t number) {
+std::vector<shop::Tool>::iterator add_tool(Reckoning& run, std::uint32_t number) {
     const auto added = run.tools.insert(run.tools.end(), shop::Tool{});
     added->number = number;
     added->where = run.here();
@@ -116,7 +116,7 @@ std::vector<shop::Tool>::iterator add_tool(Run& run, std::uint32_t number) {
     return added;
 }
 
-void write_tool_parameter(Run& run, double number, double edge, int n, double value) {
+void write_tool_parameter(Telling& run, double number, double edge, int n, double value) {
     const auto known_t = base::cut<std::uint32_t>(number, 1), known_d = base::cut<std::uint32_t>(edge, 1, 32'000);
     if (std::isnan(number + edge + value))
         return unchecked(run, codes::unknown_value, run.here(),
@@ -150,7 +150,7 @@ void write_tool_parameter(Run& run, double number, double edge, int n, double va
 namespace {
 
 /// TOOL DEF: the program itself says what the tool is.
-void define_tool(Run& run) {
+void define_tool(Moving& run) {
     const BlockWords& b = run.block;
     const double n = b.get(Code::tool);
     if (!b.has(Code::tool)) return;
@@ -184,7 +184,7 @@ void define_tool(Run& run) {
 }
 
 /// The tool stands still while another DL counts: the control takes its point for so much higher.
-void lower_point(Run& run, double by) {
+void lower_point(Telling& run, double by) {
     flush_path(run);
     run.position = run.position + by * run.tool_axis;
     run.programmed_position =
@@ -192,7 +192,7 @@ void lower_point(Run& run, double by) {
 }
 
 /// DL, DR, DR2 hold for this call of the tool alone; without them there are none.
-void take_allowances(Run& run) {
+void take_allowances(Moving& run) {
     const BlockWords& b = run.block;
     const double unit = length_unit(run.modal);
     const auto value = [&](Code c) { return b.has(c) ? b.get(c) * unit : 0; };
@@ -207,12 +207,12 @@ void take_allowances(Run& run) {
     run.tool.feed = b.has(Code::feed) ? b.get(Code::feed) * feed_factor(run) : 0;
 }
 
-bool is_listed(const Run& run, double number) {
+bool is_listed(const Reckoning& run, double number) {
     return std::any_of(run.tools.begin(), run.tools.end(), [&](const shop::Tool& t) { return t.number == number; });
 }
 
 /// The program says which tool is in the spindle; nothing moves. A tool selected by T waits for M6 as before.
-void number_tool(Run& run, int m) {
+void number_tool(Moving& run, int m) {
     const BlockWords& b = run.block;
     const double q = b.has(Code::q) ? std::round(b.get(Code::q)) : -1;
     const std::string word = "M" + std::to_string(m);
@@ -239,7 +239,7 @@ void number_tool(Run& run, int m) {
 }
 
 /// M6 and what goes with it; true where the tool in the spindle is another one now.
-bool tool_functions(Run& run) {
+bool tool_functions(Moving& run) {
     const BlockWords& b = run.block;
     const auto has = [&](int m) { return std::find(b.m.begin(), b.m.end(), m) != b.m.end(); };
     if (const int m = run.traits->tool_number_function; m != 0 && has(m)) number_tool(run, m);
@@ -250,7 +250,7 @@ bool tool_functions(Run& run) {
 
 /// T203 of a turret whose value is computed: tool 2 with offset 3. What the number cannot say is said as where it is
 /// written.
-void part_turret_number(Run& run) {
+void part_turret_number(Moving& run) {
     BlockWords& b = run.block;
     const double t = b.peek(Code::tool);
     constexpr std::uint32_t hundred = 100, most = 9999;
@@ -274,7 +274,7 @@ void part_turret_number(Run& run) {
 
 }  // namespace
 
-void select_tool(Run& run) {
+void select_tool(Moving& run) {
     BlockWords& b = run.block;
     if (b.has(Code::tool_change) && b.has(Code::tool) && b.peek(Code::tool_change) != 0) part_turret_number(run);
     bool changed = false, replaced = false;
@@ -354,7 +354,7 @@ void select_tool(Run& run) {
     if (changed || b.has(Code::tool_change)) control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
 }
 
-void take_offset_radius(Run& run, double number) {
+void take_offset_radius(Reckoning& run, double number) {
     const auto known = std::find_if(run.tools.begin(), run.tools.end(),
                                     [&](const shop::Tool& t) { return t.number == number && number > 0; });
     const auto radius = known != run.tools.end() ? compensation_radius(*known) : std::nullopt;

@@ -21,7 +21,7 @@ struct Written {
     double value = 0;
 };
 
-Written find(const Run& run, const ActiveCycle& c, CycleRole role) {
+Written find(const Reckoning& run, const ActiveCycle& c, CycleRole role) {
     Written w;
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const program::CycleSetting& s = c.definition->settings[i];
@@ -40,7 +40,7 @@ constexpr CycleRole centre_roles[3] = {CycleRole::centre_x, CycleRole::centre_y,
 /// Transformations act in the order in which they were programmed: what stands behind a tilted plane moves within it,
 /// what stood before it stays as it is. Source: iTNC 530 User's Manual Cycle Programming, "Combining coordinate
 /// transformation cycles" of cycle 19; TNC 620 User's Manual, "Workpiece coordinate system".
-std::vector<Transform>::iterator find(Run& run, TransformKind kind) {
+std::vector<Transform>::iterator find(Reckoning& run, TransformKind kind) {
     auto& all = run.modal.transforms;
     auto from = all.begin();
     if (kind != TransformKind::plane)
@@ -49,7 +49,7 @@ std::vector<Transform>::iterator find(Run& run, TransformKind kind) {
     return std::find_if(from, all.end(), [&](const auto& t) { return t.kind == kind; });
 }
 
-void update_programmed(Run& run) {
+void update_programmed(Telling& run) {
     const geom::Vec3 normal = geom::apply_direction(active_plane(run), {0, 0, 1});
     run.tool_axis = (1 / geom::length(normal)) * normal;
     run.modal.programmed = {};
@@ -58,7 +58,7 @@ void update_programmed(Run& run) {
 }
 
 /// Puts a transformation in its place: where it was, else behind those already active; out of it when it does nothing.
-void place(Run& run, TransformKind kind, const geom::Frame& frame) {
+void place(Telling& run, TransformKind kind, const geom::Frame& frame) {
     auto& all = run.modal.transforms;
     const auto at = find(run, kind);
     if (frame == geom::Frame{}) {
@@ -71,7 +71,7 @@ void place(Run& run, TransformKind kind, const geom::Frame& frame) {
     update_programmed(run);
 }
 
-geom::Frame active(const Run& run, TransformKind kind) {
+geom::Frame active(const Reckoning& run, TransformKind kind) {
     geom::Frame found;
     for (const Transform& t : run.modal.transforms) {
         if (t.kind == TransformKind::plane && kind != TransformKind::plane) found = {};
@@ -80,14 +80,14 @@ geom::Frame active(const Run& run, TransformKind kind) {
     return found;
 }
 
-bool unknown_value(Run& run, const ActiveCycle& c) {
+bool unknown_value(Saying& run, const ActiveCycle& c) {
     if (std::none_of(c.values.begin(), c.values.end(), [](double v) { return std::isnan(v); })) return false;
     unchecked(run, codes::unknown_value, c.definition->where,
               c.definition->name + " depends on a value that is not known: it is left out");
     return true;
 }
 
-bool shift(Run& run, const ActiveCycle& c) {
+bool shift(Telling& run, const ActiveCycle& c) {
     if (const Written n = find(run, c, CycleRole::datum_number); n.set) {
         shift_by_table(run, *c.definition, n.value);
         return true;
@@ -104,7 +104,7 @@ bool shift(Run& run, const ActiveCycle& c) {
     return true;
 }
 
-bool mirror(Run& run, const ActiveCycle& c) {
+bool mirror(Telling& run, const ActiveCycle& c) {
     geom::Vec3 factors{1, 1, 1};
     for (int k = 0; k < 3; ++k)
         if (find(run, c, axis_roles[k]).set) coordinate(factors, k) = -1;
@@ -116,7 +116,7 @@ bool mirror(Run& run, const ActiveCycle& c) {
     return true;
 }
 
-bool rotate(Run& run, const ActiveCycle& c) {
+bool rotate(Telling& run, const ActiveCycle& c) {
     const Written w = find(run, c, CycleRole::angle);
     if (!w.set) {
         alarm(run, codes::value_range, c.definition->where, c.definition->name + ": the angle ROT is not given");
@@ -136,7 +136,7 @@ bool rotate(Run& run, const ActiveCycle& c) {
     return true;
 }
 
-bool scale(Run& run, const ActiveCycle& c) {
+bool scale(Telling& run, const ActiveCycle& c) {
     const double f = find(run, c, CycleRole::factor).value;
     if (!(f > 0)) {
         alarm(run, codes::value_range, c.definition->where,
@@ -147,7 +147,7 @@ bool scale(Run& run, const ActiveCycle& c) {
     return true;
 }
 
-bool scale_axes(Run& run, const ActiveCycle& c) {
+bool scale_axes(Telling& run, const ActiveCycle& c) {
     geom::Vec3 factors{1, 1, 1}, centre;
     for (int k = 0; k < 3; ++k) {
         if (const Written w = find(run, c, axis_roles[k]); w.set) coordinate(factors, k) = w.value;
@@ -160,7 +160,7 @@ bool scale_axes(Run& run, const ActiveCycle& c) {
 }
 
 /// Cycle 19: the spatial angles about the fixed axes X, then Y, then Z, as PLANE SPATIAL; none or all 0 end it.
-bool working_plane(Run& run, const ActiveCycle& c) {
+bool working_plane(Telling& run, const ActiveCycle& c) {
     geom::Frame plane;
     bool any = false;
     for (int k = 0; k < 3; ++k)
@@ -178,7 +178,7 @@ bool working_plane(Run& run, const ActiveCycle& c) {
 }
 
 /// Cycle 32; without values the machine's own setting holds again.
-bool tolerance(Run& run, const ActiveCycle& c) {
+bool tolerance(Telling& run, const ActiveCycle& c) {
     cl::Tolerance t;
     t.contour = find(run, c, CycleRole::tolerance).value;
     t.rotary = find(run, c, CycleRole::tolerance_angle).value;
@@ -196,13 +196,13 @@ bool tolerance(Run& run, const ActiveCycle& c) {
 }
 
 /// Cycle 13 says the angle; the spindle goes there, and stands, with M19.
-bool orientation(Run& run, const ActiveCycle& c) {
+bool orientation(Telling& run, const ActiveCycle& c) {
     const double angle = find(run, c, CycleRole::spindle_angle).value;
     emit(run, cl::Comment{"spindle orientation to " + printed(Value::real(angle)) + " degrees with M19", false});
     return true;
 }
 
-bool dwell(Run& run, const ActiveCycle& c) {
+bool dwell(Telling& run, const ActiveCycle& c) {
     const Written w = find(run, c, CycleRole::dwell);
     if (!w.set || !(w.value >= 0)) {
         alarm(run, codes::value_range, c.definition->where,
@@ -215,9 +215,9 @@ bool dwell(Run& run, const ActiveCycle& c) {
 
 }  // namespace
 
-geom::Frame active_plane(const Run& run) { return active(run, TransformKind::plane); }
+geom::Frame active_plane(const Reckoning& run) { return active(run, TransformKind::plane); }
 
-void tilt(Run& run, const geom::Frame& plane, const TiltChoice& choice, const base::Span& where) {
+void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, const base::Span& where) {
     leave_compensation(run, "the working plane is tilted");
     if (run.stopped) return;
     flush_path(run);
@@ -233,20 +233,20 @@ void tilt(Run& run, const geom::Frame& plane, const TiltChoice& choice, const ba
               "let the plane come first, or give its angles as they are turned");
 }
 
-geom::Vec3 active_shift(const Run& run) { return active(run, TransformKind::shift).origin; }
+geom::Vec3 active_shift(const Reckoning& run) { return active(run, TransformKind::shift).origin; }
 
-void set_shift(Run& run, const geom::Vec3& by) { place(run, TransformKind::shift, geom::Frame::shift(by)); }
+void set_shift(Telling& run, const geom::Vec3& by) { place(run, TransformKind::shift, geom::Frame::shift(by)); }
 
-void keep_plane_alone(Run& run) {
+void keep_plane_alone(Telling& run) {
     std::erase_if(run.modal.transforms, [](const Transform& t) { return t.kind != TransformKind::plane; });
     update_programmed(run);
 }
 
-void shift_for_call(Run& run, const geom::Vec3& by) {
+void shift_for_call(Telling& run, const geom::Vec3& by) {
     place(run, TransformKind::call_place, geom::Frame::shift(active(run, TransformKind::call_place).origin + by));
 }
 
-bool act_at_definition(Run& run, const ActiveCycle& c) {
+bool act_at_definition(Cycling& run, const ActiveCycle& c) {
     if (unknown_value(run, c)) return true;
     switch (c.definition->kind) {
         case CycleKind::datum_shift: return shift(run, c);

@@ -23,7 +23,7 @@ using Places = std::vector<std::uint32_t>;
 namespace {
 
 /// Blocks with the number that an expression says; nothing after a complaint.
-std::optional<Places> blocks_of(Run& run, const CycleDefinition& d, ExprId number_of, bool first) {
+std::optional<Places> blocks_of(Reckoning& run, const CycleDefinition& d, ExprId number_of, bool first) {
     const std::string letter = first ? "P" : "Q", what = first ? "first" : "last";
     const std::string remedy = letter + " names the " + what + " block of the contour";
     if (number_of == program::no_expr) {
@@ -94,7 +94,7 @@ const char* refusal(StatementKind k) {
 }
 
 /// False after a complaint about what stands in the contour.
-bool check_blocks(Run& run, const CycleDefinition& d, const ContourBlocks& c) {
+bool check_blocks(Saying& run, const CycleDefinition& d, const ContourBlocks& c) {
     const Unit& unit = run.unit();
     for (std::uint32_t i = c.first; i <= c.last; ++i) {
         const Statement& s = unit.statements[i];
@@ -126,7 +126,7 @@ bool names_both_axes(const Unit& unit, std::uint32_t first) {
     return x && z;
 }
 
-void say_repeated(Run& run, const CycleDefinition& d, ExprId number_of, const Places& at, bool back) {
+void say_repeated(Saying& run, const CycleDefinition& d, ExprId number_of, const Places& at, bool back) {
     if (at.size() > 1)
         assume(run, run.unit().span(number_of),
                d.name + ": this block number stands " + std::to_string(at.size()) + " times in the program: the one " +
@@ -136,7 +136,7 @@ void say_repeated(Run& run, const CycleDefinition& d, ExprId number_of, const Pl
 
 }  // namespace
 
-std::optional<ContourBlocks> find_contour(Run& run, const CycleDefinition& d, std::uint32_t self) {
+std::optional<ContourBlocks> find_contour(Reckoning& run, const CycleDefinition& d, std::uint32_t self) {
     const bool back = d.kind == CycleKind::lathe_finish;
     const auto firsts = blocks_of(run, d, d.first_block, true);
     const auto lasts = firsts ? blocks_of(run, d, d.last_block, false) : std::nullopt;
@@ -164,7 +164,7 @@ std::optional<ContourBlocks> find_contour(Run& run, const CycleDefinition& d, st
 namespace {
 
 /// The first block must go to the contour's start by a straight move.
-bool check_start(Run& run, const CycleDefinition& d, const ContourBlocks& c, const std::vector<Captured>& all) {
+bool check_start(Saying& run, const CycleDefinition& d, const ContourBlocks& c, const std::vector<Captured>& all) {
     const Unit& unit = run.unit();
     const Statement& first = unit.statements[c.first];
     const auto in_first = [&](const base::Span& where) {
@@ -193,7 +193,7 @@ bool is_known(const Captured& c) {
 }
 
 /// False after a complaint.
-bool check_elements(Run& run, const CycleDefinition& d, const std::vector<Captured>& all) {
+bool check_elements(Reckoning& run, const CycleDefinition& d, const std::vector<Captured>& all) {
     for (const Captured& c : all) {
         if (!is_known(c)) {
             unchecked(run, codes::unknown_value, c.where,
@@ -213,8 +213,8 @@ bool check_elements(Run& run, const CycleDefinition& d, const std::vector<Captur
 
 }  // namespace
 
-std::optional<TurnedContour> turned_contour(Run& run, const CycleDefinition& d, const ContourBlocks& c) {
-    const auto looked = elements_of_blocks(run, c.first, c.last).said(run, d.name);
+std::optional<TurnedContour> turned_contour(Moving& run, const CycleDefinition& d, const ContourBlocks& c) {
+    const auto looked = run.onward->blocks(c.first, c.last).said(run, d.name);
     if (!looked) {
         alarm(run, codes::contour, d.where, d.name + ": the run leaves the blocks of the contour before their end",
               "jumps must stay within the contour");

@@ -15,7 +15,8 @@ struct ContourBlocks {
     bool names_both_axes = false;  ///< its first block names both axes of the plane
 };
 /// The blocks that a cycle names; nothing after a complaint. `self`: the statement of the cycle.
-[[nodiscard]] std::optional<ContourBlocks> find_contour(Run&, const program::CycleDefinition&, std::uint32_t self);
+[[nodiscard]] std::optional<ContourBlocks> find_contour(Reckoning&, const program::CycleDefinition&,
+                                                        std::uint32_t self);
 
 /// What they make, with chamfers and roundings.
 struct TurnedContour {
@@ -24,6 +25,7 @@ struct TurnedContour {
     bool compensated = false;        ///< somewhere radius compensation is in force
 };
 /// Nothing after a complaint.
-[[nodiscard]] std::optional<TurnedContour> turned_contour(Run&, const program::CycleDefinition&, const ContourBlocks&);
+[[nodiscard]] std::optional<TurnedContour> turned_contour(Moving&, const program::CycleDefinition&,
+                                                          const ContourBlocks&);
 
 }  // namespace obrys::interp

@@ -17,7 +17,7 @@ using cycles::TurningElement;
 
 namespace {
 
-const program::CannedCycle* find_cycle(const Run& run) {
+const program::CannedCycle* find_cycle(const Moving& run) {
     for (const program::CannedCycle& c : run.traits->turning)
         if (c.number == run.block.special_number) return &c;
     return nullptr;
@@ -40,7 +40,7 @@ TurningElement element_of(const Captured& c) {
 }
 
 /// The elements of the subprogram that Q names; nothing after a complaint.
-std::optional<std::vector<TurningElement>> contour(Run& run, const program::CannedCycle& c, const geom::Vec3& from) {
+std::optional<std::vector<TurningElement>> contour(Moving& run, const program::CannedCycle& c, const geom::Vec3& from) {
     const double q = run.block.has(Code::q) ? run.block.get(Code::q) : -1;
     const std::string name = "O" + printed(Value::real(q));
     const Unit* unit = q >= 0 && q == std::floor(q) ? run.env.find_program(name) : nullptr;
@@ -50,7 +50,7 @@ std::optional<std::vector<TurningElement>> contour(Run& run, const program::Cann
                   (q >= 0 ? ", and there is no " + name : ""));
         return std::nullopt;
     }
-    const auto elements = elements_of_turned_contour(run, *unit, from).said(run, std::string(c.name));
+    const auto elements = run.onward->turned_contour(*unit, from).said(run, std::string(c.name));
     if (!elements) {
         alarm(run, codes::contour, run.here(), std::string(c.name) + ": the contour " + name + " does not end");
         return std::nullopt;
@@ -65,7 +65,7 @@ std::optional<std::vector<TurningElement>> contour(Run& run, const program::Cann
     return all;
 }
 
-void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d) {
+void take_words(const Moving& run, const program::CannedCycle& c, cycles::Demand& d) {
     const double unit = length_unit(run.modal);
     const bool diameters = run.modal.diameter != DiameterMode::off;
     d.values.assign(c.fixed.begin(), c.fixed.end());
@@ -78,7 +78,7 @@ void take_words(const Run& run, const program::CannedCycle& c, cycles::Demand& d
 
 }  // namespace
 
-void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
+void emit_turning_steps(Moving& run, std::vector<cl::Step>& steps) {
     double pitch = 0;  // of the thread being cut; 0: none
     for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
         const auto* thread = std::get_if<cl::Thread>(&steps[i]);
@@ -92,7 +92,7 @@ void emit_turning_steps(Run& run, std::vector<cl::Step>& steps) {
     }
 }
 
-bool turning_cycle(Run& run) {
+bool turning_cycle(Moving& run) {
     const program::CannedCycle* c = find_cycle(run);
     if (c == nullptr) {
         unchecked(run, codes::unsupported, run.here(),

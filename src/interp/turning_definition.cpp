@@ -27,7 +27,7 @@ bool takes_defined_contour(CycleKind k) {
 }
 
 /// mm, degrees; targets absolute.
-double in_mm(const Run& run, const CycleSetting& s, double v) {
+double in_mm(const Reckoning& run, const CycleSetting& s, double v) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     if (s.role == CycleRole::target_u || s.role == CycleRole::target_v) {
         const int k = s.role == CycleRole::target_u ? a.u : a.v;
@@ -40,7 +40,7 @@ double in_mm(const Run& run, const CycleSetting& s, double v) {
 }
 
 /// What the control keeps, then what the cycle says, then what is taken for the rest.
-cycles::Demand demand_of_turning(Run& run, const ActiveCycle& c) {
+cycles::Demand demand_of_turning(Cycling& run, const ActiveCycle& c) {
     const CycleDefinition& d = *c.definition;
     cycles::Demand out;
     out.kind = d.kind;
@@ -56,7 +56,7 @@ cycles::Demand demand_of_turning(Run& run, const ActiveCycle& c) {
     return out;
 }
 
-void keep(Run& run, const ActiveCycle& c) {
+void keep(Cycling& run, const ActiveCycle& c) {
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
         run.cycle_store[{c.definition->store, s.role}] = in_mm(run, s, c.values[i]);
@@ -74,7 +74,7 @@ bool names_axis(const Unit& unit, std::uint32_t first, Code axis) {
 
 /// Contours of stock removal: with both axes in their first block they may have pockets; with one it is that of the
 /// infeed. False after a complaint.
-bool choose_type(Run& run, const CycleDefinition& d, const ContourBlocks& blocks, cycles::Demand& demand) {
+bool choose_type(Reckoning& run, const CycleDefinition& d, const ContourBlocks& blocks, cycles::Demand& demand) {
     if (d.kind == CycleKind::lathe_repeat_pattern) return true;
     if (blocks.names_both_axes) {
         demand.values.push_back({CycleRole::pockets, 1});
@@ -96,7 +96,7 @@ bool cannot_be_compensated(CycleKind k) {
 }
 
 /// Controls leave compensation off in these cycles; where the tool stands that comes in with it is not known here [-].
-bool refuse_compensated(Run& run, const CycleDefinition& d) {
+bool refuse_compensated(Reckoning& run, const CycleDefinition& d) {
     if (!cannot_be_compensated(d.kind) || run.modal.compensation == Modal::compensation_off) return false;
     unchecked(run, codes::unsupported, d.where,
               d.name + ": " + compensation_in_force(run) +
@@ -110,7 +110,7 @@ bool refuse_compensated(Run& run, const CycleDefinition& d) {
 /// element behind it brings compensation in anew.
 class Uncompensated {
 public:
-    explicit Uncompensated(Run& run) : run_(run), before_(run.modal.compensation) {
+    explicit Uncompensated(Telling& run) : run_(run), before_(run.modal.compensation) {
         if (before_ == Modal::compensation_off) return;
         const geom::Vec3 start = run.programmed_position;
         run.path->end_compensation(run);
@@ -122,7 +122,7 @@ public:
     Uncompensated& operator=(const Uncompensated&) = delete;
 
 private:
-    Run& run_;
+    Telling& run_;
     Modal before_;
 };
 
@@ -135,7 +135,8 @@ base::Span place_of(const CycleDefinition& d, const cycles::Complaint& k, const 
 }
 
 /// False where the run ended with an alarm.
-bool report_turning(Run& run, const CycleDefinition& d, const cycles::Expansion& e, const TurnedContour* contour) {
+bool report_turning(Reckoning& run, const CycleDefinition& d, const cycles::Expansion& e,
+                    const TurnedContour* contour) {
     for (const cycles::Complaint& k : e.complaints) {
         const base::Span where = place_of(d, k, contour);
         if (k.fatal) {
@@ -165,7 +166,7 @@ bool ends_program(const Unit& unit, std::uint32_t index) {
 }
 
 /// The control goes on behind a contour that stands behind the cycle.
-void leave_out(Run& run, const CycleDefinition& d, std::uint32_t self, const ContourBlocks& c) {
+void leave_out(Saying& run, const CycleDefinition& d, std::uint32_t self, const ContourBlocks& c) {
     if (c.first < self) return;
     const Unit& unit = run.unit();
     bool blocks = false;
@@ -181,7 +182,7 @@ void leave_out(Run& run, const CycleDefinition& d, std::uint32_t self, const Con
     run.top().pc = c.last + 1;
 }
 
-void finish(Run& run, const CycleDefinition& d, std::uint32_t self) {
+void finish(Telling& run, const CycleDefinition& d, std::uint32_t self) {
     const auto blocks = find_contour(run, d, self);
     if (!blocks) return;
     if (run.top().sections.size() >= run.env.budgets.call_depth) {
@@ -205,15 +206,16 @@ void finish(Run& run, const CycleDefinition& d, std::uint32_t self) {
 
 }  // namespace
 
-void end_finishing(Run& run, const ActiveSection& section) {
+void end_finishing(Moving& run, const ActiveSection& section) {
     run.statement = section.finishing;
     run.block.clear();
+    run.complained = false;
     run.modal.motion = Modal::rapid;
     straight_motion(run, section.start, true);
     if (!run.stopped) end_bracket(run);
 }
 
-void define_turning_cycle(Run& run, const ActiveCycle& c) {
+void define_turning_cycle(Cycling& run, const ActiveCycle& c) {
     const CycleDefinition& d = *c.definition;
     if (d.sets_only) return keep(run, c);
     const auto self = static_cast<std::uint32_t>(run.statement - run.unit().statements.data());

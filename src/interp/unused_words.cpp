@@ -21,12 +21,12 @@ namespace {
 constexpr std::uint64_t bare_words = bit(Code::tool_change) | bit(Code::tool_definition) | bit(Code::feed_auto) |
                                      bit(Code::cycle_call) | bit(Code::cycle_call_modal);
 
-std::string text_of(const Run& run, const base::Span& where) {
+std::string text_of(const Saying& run, const base::Span& where) {
     return std::string(base::trim(run.env.sources.text(where)));
 }
 
 /// The n-th word of the block with this code, from 0; the block where there is none.
-base::Span place_of(const Run& run, Code code, int n) {
+base::Span place_of(const Reckoning& run, Code code, int n) {
     const Unit& unit = run.unit();
     const auto index = static_cast<std::uint32_t>(run.statement - unit.statements.data());
     for (std::uint32_t i = run.statement->first; i < unit.words_end(index); ++i)
@@ -42,16 +42,16 @@ std::uint64_t codes_of(std::string_view letters) {
 }
 
 /// Words that belong to one of the control's own M functions.
-std::uint64_t words_of_function(const Run& run, int m) {
+std::uint64_t words_of_function(const Saying& run, int m) {
     for (const program::FunctionLetters& f : run.traits->function_letters)
         if (m >= f.first && m <= f.last) return codes_of(f.letters);
     return 0;
 }
 
-bool is_builders(const Run& run, int m) { return m >= 10 && m != 17 && m != 30 && !is_standard_function(run, m); }
+bool is_builders(const Saying& run, int m) { return m >= 10 && m != 17 && m != 30 && !is_standard_function(run, m); }
 
 /// A word that the block's motion has left may be meant for an M function of the machine builder: it is listed.
-void give_to_builder(Run& run, int m, std::uint64_t words) {
+void give_to_builder(Moving& run, int m, std::uint64_t words) {
     for (; words != 0; words &= words - 1) {
         const auto code = static_cast<Code>(std::countr_zero(words));
         run.block.use(code);
@@ -62,7 +62,7 @@ void give_to_builder(Run& run, int m, std::uint64_t words) {
     }
 }
 
-void take_function_words(Run& run) {
+void take_function_words(Moving& run) {
     const BlockWords& b = run.block;
     for (const int m : b.m) b.used |= b.present & words_of_function(run, m);
     const std::uint64_t letters = codes_of(run.traits->builders_letters);
@@ -76,7 +76,7 @@ bool says_nothing(const BlockWords& b, Code c) {
 }
 
 /// X2=, AX[…]= and their like, beside words that no axis goes with.
-void say_unused_axes(Run& run) {
+void say_unused_axes(Moving& run) {
     for (const BlockWords::NamedAxis& axis : run.block.axes)
         unchecked(run, codes::unknown_word, axis.where,
                   text_of(run, axis.where) + " has no meaning beside the other words of this block and is not run",
@@ -85,17 +85,17 @@ void say_unused_axes(Run& run) {
 
 }  // namespace
 
-void report_unused(Run& run) {
+void report_unused(Moving& run) {
     BlockWords& b = run.block;
-    if (b.feed_alone && !b.complained && !run.stopped && run.capture == nullptr)
+    if (b.feed_alone && !run.complained && !run.stopped && run.capture == nullptr)
         unchecked(run, codes::unknown_word, run.here(), "FB= has no meaning in this block and is not run",
                   "write it in the block of the path that it is for");
-    if (b.thread_start && !b.complained && !run.stopped && run.capture == nullptr)
+    if (b.thread_start && !run.complained && !run.stopped && run.capture == nullptr)
         unchecked(run, codes::unknown_word, run.here(), "SF= has no meaning in this block and is not run",
                   "write it in the block of a thread (G33, G34, G35)");
-    if (!b.axes.empty() && !b.complained && !run.stopped) say_unused_axes(run);
+    if (!b.axes.empty() && !run.complained && !run.stopped) say_unused_axes(run);
     std::uint64_t left = b.present & ~b.used & ~bare_words;
-    if (left == 0 || b.complained || run.stopped) return;
+    if (left == 0 || run.complained || run.stopped) return;
     if (!b.m.empty()) take_function_words(run);
     left &= ~b.used;
     for (; left != 0; left &= left - 1) {
@@ -108,7 +108,7 @@ void report_unused(Run& run) {
     }
 }
 
-void repeated_words(Run& run) {
+void repeated_words(Moving& run) {
     for (std::uint64_t left = run.block.twice; left != 0 && !run.stopped; left &= left - 1) {
         const auto code = static_cast<Code>(std::countr_zero(left));
         const base::Span where = place_of(run, code, 1);
@@ -125,7 +125,7 @@ void repeated_words(Run& run) {
     }
 }
 
-void repeated_group(Run& run, const Word& w) {
+void repeated_group(Moving& run, const Word& w) {
     const ModalGroup group = program::group_of(program::modal_of(w));
     if (group == ModalGroup::none) return;
     const std::uint32_t mark = std::uint32_t{1} << static_cast<unsigned>(group);
