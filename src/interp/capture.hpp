@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "interp/complaints.hpp"
-#include "interp/motion.hpp"
+#include "interp/say.hpp"
 #include "path/corner_stage.hpp"
 
 namespace obrys::interp {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "interp/run.hpp"
+#include "interp/say.hpp"
 
 namespace obrys::interp {
 

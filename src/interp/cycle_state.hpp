@@ -8,6 +8,9 @@
 #include <utility>
 #include <vector>
 
+#include "base/source.hpp"
+#include "cl/stacks.hpp"
+#include "geom/edge.hpp"
 #include "geom/vec.hpp"
 #include "interp/value.hpp"
 #include "program/unit.hpp"
@@ -72,5 +75,14 @@ struct ContourChoice {
     const Unit* unit = nullptr;
     std::vector<Part> parts;
 };
+
+/// An element as it ended up, chamfers and roundings apart (they belong to the block before them), and the block that
+/// makes it: called from the cycle's call.
+struct ContourElement {
+    geom::Edge edge;
+    base::Span where;
+    cl::StackId stack = 0;
+};
+using ContourElements = std::vector<ContourElement>;
 
 }  // namespace obrys::interp

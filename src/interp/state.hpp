@@ -35,7 +35,6 @@ namespace obrys::interp {
 class PathStage;
 class Complaints;
 struct Captured;
-struct ContourElement;
 class Onward;
 
 /// What the run keeps through all its states: copying the state around it neither takes it along nor brings it back.
@@ -169,7 +168,7 @@ struct Telling : Reckoning {
     FeedShape feed_shape;
     SurfaceMode surface;
     std::vector<CarriedCompensation> carried;
-    /// Where it is set, records come from there instead of the block being run (contour_cycle.hpp).
+    /// Where it is set, records come from there instead of the block being run (cycles/along_contour.cpp).
     const ContourElement* along = nullptr;
     cl::Record record;
 
