@@ -8,7 +8,10 @@ namespace obrys::interp {
 // --- jump.cpp
 void jump(Calling&, const program::Jump&);
 /// Goes to `target`; a missing end of a structure (reported by the reader) ends the program part.
-void go_on_at(Saying& run, std::uint32_t target);
+inline void go_on_at(Saying& run, std::uint32_t target) {
+    Activation& act = run.top();
+    act.pc = target == program::no_target ? static_cast<std::uint32_t>(act.unit->statements.size()) : target;
+}
 void go_back(Calling& run, std::uint32_t target);
 [[nodiscard]] std::uint32_t nearest(const std::vector<std::uint32_t>& at, std::uint32_t here, program::JumpDirection d);
 

@@ -11,11 +11,6 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-void go_on_at(Saying& run, std::uint32_t target) {
-    Activation& act = run.top();
-    act.pc = target == program::no_target ? static_cast<std::uint32_t>(act.unit->statements.size()) : target;
-}
-
 void go_back(Calling& run, std::uint32_t target) {
     count_pass(run, target);
     if (!run.stopped) go_on_at(run, target);

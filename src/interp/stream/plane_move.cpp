@@ -17,19 +17,6 @@ namespace codes = base::codes;
 using geom::Vec2;
 using geom::Vec3;
 
-Vec3 in_space(const PlaneAxes& a, Vec2 p, double w) {
-    Vec3 v;
-    coordinate(v, a.u) = p.x;
-    coordinate(v, a.v) = p.y;
-    coordinate(v, a.w) = w;
-    return v;
-}
-
-Vec3 point_in_stream(const Reckoning& run, Vec2 p, double w) {
-    const Vec3 v = in_space(plane_axes(run.modal.plane), p, w);
-    return run.frame_is_identity ? v : geom::apply(run.frame, v);
-}
-
 bool compensates_in_fixed_plane(const Telling& run) {
     if (!run.traits->compensates_in_fixed_plane || run.frame_is_identity || run.modal.compensation_in_frame)
         return false;

@@ -100,9 +100,18 @@ struct WayOfCall {
 void say_no_corner(Reckoning& run, const base::Span& where, const char* text, const char* remedy);
 
 // --- plane_move.cpp
-[[nodiscard]] geom::Vec3 in_space(const PlaneAxes& a, geom::Vec2 p, double w);
+[[nodiscard]] inline geom::Vec3 in_space(const PlaneAxes& a, geom::Vec2 p, double w) {
+    geom::Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = w;
+    return v;
+}
 /// A point of the working plane in the stream's frame.
-[[nodiscard]] geom::Vec3 point_in_stream(const Reckoning& run, geom::Vec2 p, double w);
+[[nodiscard]] inline geom::Vec3 point_in_stream(const Reckoning& run, geom::Vec2 p, double w) {
+    const geom::Vec3 v = in_space(plane_axes(run.modal.plane), p, w);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
+}
 /// By how much the radii of a programmed arc may differ.
 [[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
 /// Of the working plane, in the stream's frame, as frames turn it.

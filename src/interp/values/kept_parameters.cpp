@@ -10,12 +10,6 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-const program::KeptParameters* range_of(const Saying& run, std::uint32_t n) {
-    for (const program::KeptParameters& k : run.traits->kept)
-        if (n >= k.first && n <= k.last) return &k;
-    return nullptr;
-}
-
 bool is_absent(const Saying& run, std::uint32_t n) {
     return n >= run.traits->absent_first && n <= run.traits->absent_last && n != 0;
 }

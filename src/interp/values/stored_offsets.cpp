@@ -4,14 +4,6 @@
 
 namespace obrys::interp {
 
-std::optional<std::uint32_t> first_of_datum(const Saying& run, std::uint32_t number) {
-    const program::OffsetParameters& p = run.traits->offsets;
-    const std::uint32_t place = place_of_datum(number) - 1;
-    if (place < p.datum_count) return p.datum_first + place * p.datum_step;
-    if (place >= 1000 && place - 1000 < p.extended_count) return p.extended_first + (place - 1000) * p.datum_step;
-    return std::nullopt;
-}
-
 namespace {
 
 constexpr std::size_t rotation_about_z = 9;  // behind the axes

@@ -213,7 +213,13 @@ inline constexpr const char* no_tool_said =
 /// The same in machine coordinates, mm or degrees.
 [[nodiscard]] double machine_coordinate(const Reckoning&, std::size_t axis);
 /// Parameter that holds X of a zero offset; nothing for one that is kept nowhere.
-[[nodiscard]] std::optional<std::uint32_t> first_of_datum(const Saying& run, std::uint32_t number);
+[[nodiscard]] inline std::optional<std::uint32_t> first_of_datum(const Saying& run, std::uint32_t number) {
+    const program::OffsetParameters& p = run.traits->offsets;
+    const std::uint32_t place = place_of_datum(number) - 1;
+    if (place < p.datum_count) return p.datum_first + place * p.datum_step;
+    if (place >= 1000 && place - 1000 < p.extended_count) return p.extended_first + (place - 1000) * p.datum_step;
+    return std::nullopt;
+}
 [[nodiscard]] bool holds_all(const Saying& run);
 /// What a zero offset has for this axis (or as its rotation) is known; what the job leaves out is 0.
 [[nodiscard]] bool is_zero_held(const Reckoning& run, std::uint32_t datum, std::size_t axis);
@@ -227,7 +233,11 @@ inline constexpr const char* no_tool_said =
 [[nodiscard]] bool refuse_absent(Saying&, std::uint32_t parameter, const base::Span& where);
 /// Its value where it is known; else NaN after a complaint that names its key in the job.
 [[nodiscard]] double kept_parameter(Reckoning&, std::uint32_t parameter, const base::Span& where);
-[[nodiscard]] const program::KeptParameters* range_of(const Saying& run, std::uint32_t n);
+[[nodiscard]] inline const program::KeptParameters* range_of(const Saying& run, std::uint32_t n) {
+    for (const program::KeptParameters& k : run.traits->kept)
+        if (n >= k.first && n <= k.last) return &k;
+    return nullptr;
+}
 
 // --- live_parameters.cpp
 [[nodiscard]] bool is_live(const Reckoning&, std::uint32_t parameter);
