@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "check_unit.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
 #include "read/heidenhain/read.hpp"
 

@@ -7,6 +7,7 @@
 #include "cl/text.hpp"
 #include "cl/verify.hpp"
 #include "driver/control.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
 
 namespace obrys::driver::testing {

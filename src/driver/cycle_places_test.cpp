@@ -7,6 +7,7 @@
 #include <random>
 
 #include "base/number.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
 #include "read/heidenhain/read.hpp"
 

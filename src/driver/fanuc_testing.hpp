@@ -6,6 +6,7 @@
 
 #include "base/number.hpp"
 #include "cl/text.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
 #include "read/rs274/fanuc_read.hpp"
 

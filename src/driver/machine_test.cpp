@@ -10,7 +10,7 @@
 #include "base/seed_testing.hpp"
 #include "cl/text.hpp"
 #include "driver/golden_cases_testing.hpp"
-#include "interp/machine.hpp"
+#include "interp/flow/machine.hpp"
 
 namespace obrys::driver {
 namespace {

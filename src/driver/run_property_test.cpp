@@ -9,6 +9,7 @@
 #include "base/number.hpp"
 #include "cl/text.hpp"
 #include "geom/frame.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
 #include "read/sinumerik/read.hpp"
 

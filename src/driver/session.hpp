@@ -11,8 +11,8 @@
 #include "cl/stacks.hpp"
 #include "driver/programs.hpp"
 #include "driver/shop_files.hpp"
+#include "interp/flow/machine.hpp"
 #include "interp/interp.hpp"
-#include "interp/machine.hpp"
 #include "shop/job.hpp"
 
 namespace obrys::driver {

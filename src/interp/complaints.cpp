@@ -11,37 +11,37 @@ using base::Severity;
 
 namespace {
 
-std::vector<base::Span> stack_of(const Run& run) {
-    return run.calls.empty() ? std::vector<base::Span>{} : run.stacks.sites(run.calls.back().stack);
+std::vector<base::Span> stack_of(const Saying& run) {
+    return run.calls.empty() ? std::vector<base::Span>{} : run.stacks->sites(run.calls.back().stack);
 }
 
-bool first_at_place(Run& run, std::string_view code, const base::Span& where) {
+bool first_at_place(Saying& run, std::string_view code, const base::Span& where) {
     std::uint64_t key = std::hash<std::string_view>{}(code);
     key ^= (std::uint64_t{where.file} << 40) ^ (std::uint64_t{where.begin} << 8);
     return run.reported.insert(key).second;
 }
 
 /// False where it has been said.
-bool is_new(Run& run, const Complaint& c) {
+bool is_new(Saying& run, const Complaint& c) {
     if (c.once_by_text && !run.assumed.insert(c.what.text).second) return false;
     return !c.once_by_place || first_at_place(run, c.what.code, c.what.where);
 }
 
 /// To the list, or to who looks ahead.
-void hand_over(Run& run, Complaint c) {
+void hand_over(Saying& run, Complaint c) {
     if (run.complaints != nullptr) return run.complaints->add(std::move(c));
-    if (is_new(run, c)) run.diagnostics.add(std::move(c.what));
+    if (is_new(run, c)) run.diagnostics->add(std::move(c.what));
 }
 
 /// As above; the calls that led here are added.
-void hand_over_here(Run& run, Complaint c) {
+void hand_over_here(Saying& run, Complaint c) {
     if (run.complaints == nullptr && !is_new(run, c)) return;
     c.what.stack = stack_of(run);
     if (run.complaints != nullptr) return run.complaints->add(std::move(c));
-    run.diagnostics.add(std::move(c.what));
+    run.diagnostics->add(std::move(c.what));
 }
 
-void end_by_alarm(Run& run) {
+void end_by_alarm(Saying& run) {
     run.stopped = true;
     run.ending = Ending::alarm;
 }
@@ -54,19 +54,19 @@ void Complaints::add(Complaint c) {
     all_.push_back(std::move(c));
 }
 
-void say(Run& run, const Complaints& complaints, const std::string& of) {
+void say(Saying& run, const Complaints& complaints, const std::string& of) {
     for (Complaint c : complaints.all()) {
         if (run.stopped) return;
         if (c.ends_run && !of.empty()) c.what.text = of + ": " + c.what.text;
         if (c.ends_run) end_by_alarm(run);
-        if (c.what.severity == Severity::warning) run.block.complained = true;
+        if (c.what.severity == Severity::warning) run.complained = true;
         hand_over(run, std::move(c));
     }
 }
 
-void raise(Run& run, base::Diagnostic d) { hand_over(run, {std::move(d), false, false, false}); }
+void raise(Saying& run, base::Diagnostic d) { hand_over(run, {std::move(d), false, false, false}); }
 
-void alarm(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+void alarm(Saying& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
     if (run.stopped) return;
     end_by_alarm(run);
     hand_over_here(run,
@@ -77,21 +77,21 @@ std::string of_alarm(std::string_view number) {
     return number.empty() ? std::string() : " (alarm " + std::string(number) + ")";
 }
 
-void unchecked(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    run.block.complained = true;
+void unchecked(Saying& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    run.complained = true;
     if (run.stopped) return;
     hand_over_here(run,
                    {{Severity::warning, code, where, std::move(text), std::move(remedy), {}, {}}, false, false, true});
 }
 
-void unchecked_once(Run& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
-    run.block.complained = true;
+void unchecked_once(Saying& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    run.complained = true;
     if (run.stopped) return;
     hand_over_here(run,
                    {{Severity::warning, code, where, std::move(text), std::move(remedy), {}, {}}, false, true, true});
 }
 
-void assume(Run& run, const base::Span& where, std::string text, std::string remedy) {
+void assume(Saying& run, const base::Span& where, std::string text, std::string remedy) {
     hand_over_here(
         run,
         {{Severity::note, codes::assumption, where, std::move(text), std::move(remedy), {}, {}}, false, true, false});

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "interp/run.hpp"
+#include "interp/say.hpp"
 
 namespace obrys::interp {
 
@@ -31,9 +31,9 @@ private:
 };
 
 /// Makes them as if the blocks were run now; an alarm is that of `of` (a cycle), where it has a name.
-void say(Run&, const Complaints&, const std::string& of = {});
+void say(Saying&, const Complaints&, const std::string& of = {});
 
 /// A finding of the run itself: it is said as it is, and the run goes on.
-void raise(Run&, base::Diagnostic);
+void raise(Saying&, base::Diagnostic);
 
 }  // namespace obrys::interp

@@ -93,8 +93,4 @@ struct Outcome {
     std::vector<CarriedCompensation> carried = {};
 };
 
-/// Runs `main` and passes every record to `sink`. Complaints, assumptions and ignored words go to `diagnostics`.
-Outcome run(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
-            base::Diagnostics& diagnostics);
-
 }  // namespace obrys::interp

@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/number.hpp"
-#include "base/whole.hpp"
 
 namespace obrys::interp {
 

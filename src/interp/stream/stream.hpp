@@ -1,0 +1,155 @@
+#pragma once
+/// The stream: records, the frame and zero they stand in, brackets, and how contours come into it. Private to interp.
+
+#include <optional>
+#include <vector>
+
+#include "cl/totals.hpp"
+#include "cycles/cycle.hpp"
+#include "interp/values/values.hpp"
+#include "path/arc_input.hpp"
+#include "path/element.hpp"
+
+namespace obrys::interp {
+
+// --- frame_words.cpp
+void update_frame(Telling&);
+/// That frame, from the selected zero inwards (frame_words.cpp).
+[[nodiscard]] std::vector<cl::FramePart> frame_parts(const Telling&);
+
+// --- surface_moves.cpp
+/// Hands a move of the plane to the stream as the axes make it.
+void send_on_surface(Telling&, const cl::Record&);
+[[nodiscard]] geom::Vec3 turned_by(const geom::Vec3& p, double by);
+void tell_axis(Telling& run, const cl::Record& record, double angle, bool counted);
+
+// --- active_zero.cpp
+/// Takes what the parameters hold at the start of the run.
+void begin_offsets(Telling&);
+/// Programmed frame -> stream; also sets Offsets::total.
+[[nodiscard]] geom::Frame offset_frame(Telling&);
+/// The active zero offset anew from its parameters.
+void load_datum(Telling&);
+/// The zero offset in force was written: it counts from here on.
+void datum_changed(Telling&);
+void take_shift(Reckoning& run);
+
+// --- tool_tip.cpp
+/// The tool in the spindle, its compensation or the zero was changed: where its tip is (tool_length.cpp).
+void take_tip(Telling&);
+/// Changes tool offset or tip while the machine stands still: the tip's place follows.
+void while_standing(Telling&, base::FunctionRef<void()> change);
+/// mm of the axes X … W that compensating a tool's length means.
+[[nodiscard]] Axes axes_of(const shop::Tool&);
+[[nodiscard]] const Offsets::TouchedOff* touched_off(const Reckoning& run);
+
+// --- written_zero.cpp
+/// Behind an assignment: the zero offset in force may stand there, else it is said where writing does more than keep a
+/// value.
+void note_written(Telling&, std::uint32_t parameter, const base::Span& where);
+
+// --- tell.cpp
+void tell(Telling&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
+void tell(Telling&, cl::SettingKind, int number, const Axes& values);
+void tell_tool_entry(Telling&, int place, int tool, std::initializer_list<double> values);
+/// What the end of the program sets back.
+void tell_end(Telling&, int m);
+/// What is in force when the run begins.
+void begin_telling(Telling&);
+/// How programmed coordinates become those of the stream.
+void tell_frame(Telling&);
+/// The path mode in force, with its tolerances.
+void tell_path_mode(Telling&);
+/// How moves are joined from here on; `smoothing_words`: by G60, G64 … G645 of SINUMERIK, else by G61, G61.1, G64.
+void tell_joining(Telling&, bool smoothing_words);
+/// That the operator may change the feed of a step of a cycle or not: the cycle itself says so to everybody else.
+void tell_feed_override(Telling&, bool on);
+/// M48 … M53: what the operator may change.
+void switch_override(Telling&, cl::OverrideKind, bool on);
+
+// --- feed_shape.cpp
+/// From here on records are looked at.
+void shape_feed_from_here(Telling&);
+/// Before `record` goes out: the feed that it is run with.
+void shape_feed(Telling&, const cl::Record& record);
+
+/// Hands a record to whoever takes the stream.
+inline void send(Telling& run, const cl::Record& record) {
+    run.sent = cl::position_after(run.sent, record.step);
+    if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
+    if (run.feed_shape.on) shape_feed(run, record);
+    run.sink(record);
+}
+/// As above, a record that radius compensation has not made.
+inline void send_plain(Telling& run, const cl::Record& record) {
+    run.feed_shape.plunge = run.modal.plunge_part;
+    run.feed_shape.arc = 1;
+    send(run, record);
+}
+constexpr const char* turned_axis = "C";
+inline constexpr double stream_joined = 1e-6;  ///< mm; no farther off a curve begins where the stream stands
+using CycleValues = std::vector<cl::CycleValue>;
+/// How a cycle is called, as the stream tells it.
+struct WayOfCall {
+    cl::CycleCall call = cl::CycleCall::single;
+    std::uint64_t pass = 1, passes = 1;  ///< of a pattern's points, of the holes of one block
+};
+
+// --- path_output.cpp
+/// A chamfer or rounding that no corner was found for. SINUMERIK leaves it out without an alarm.
+void say_no_corner(Reckoning& run, const base::Span& where, const char* text, const char* remedy);
+
+// --- plane_move.cpp
+[[nodiscard]] inline geom::Vec3 in_space(const PlaneAxes& a, geom::Vec2 p, double w) {
+    geom::Vec3 v;
+    coordinate(v, a.u) = p.x;
+    coordinate(v, a.v) = p.y;
+    coordinate(v, a.w) = w;
+    return v;
+}
+/// A point of the working plane in the stream's frame.
+[[nodiscard]] inline geom::Vec3 point_in_stream(const Reckoning& run, geom::Vec2 p, double w) {
+    const geom::Vec3 v = in_space(plane_axes(run.modal.plane), p, w);
+    return run.frame_is_identity ? v : geom::apply(run.frame, v);
+}
+/// By how much the radii of a programmed arc may differ.
+[[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
+/// Of the working plane, in the stream's frame, as frames turn it.
+[[nodiscard]] geom::Vec3 plane_normal(const Reckoning&);
+/// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
+/// `in_stream`: the element is in the stream's frame, not in the programmed one.
+[[nodiscard]] std::optional<cl::Step> plane_move(const Reckoning&, const path::Element& element, bool rapid,
+                                                 bool in_stream = false);
+void circle_alarm(Saying&, const base::Span& where);
+/// Before an arc that no path stage makes: to where the program stands, if compensation has left the tool beside it.
+void lead_to_place(Telling&);
+/// The frame in force turns the working plane, and radius compensation is made in the plane that it does not turn.
+[[nodiscard]] bool compensates_in_fixed_plane(const Telling&);
+
+// --- emit.cpp
+void emit(Telling&, cl::Step step);
+/// Brackets of the stream about what is called or repeated.
+void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
+void end_part(Telling&);
+/// Before a move: the zero that is selected and the frame in which coordinates are programmed, as far as the stream
+/// does not have them yet.
+void emit_frame(Telling&);
+/// Zero of the run's coordinates in the machine's, and that of the selected datum; NaN where it is not known.
+[[nodiscard]] geom::Vec3 stream_origin(const Reckoning&);
+[[nodiscard]] geom::Vec3 selected_origin(const Reckoning&);
+[[nodiscard]] cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool counted);
+/// Emits what a path stage (compensation, rounding) still holds back.
+void flush_path(Telling&);
+
+// --- repetition.cpp
+/// Runs a section that has been run before once more, `section.left` times in all.
+void begin_repetition(Telling&, ActiveSection section);
+
+// --- cycle_bracket.cpp
+/// As above, of a cycle that is no definition; `name` as the control writes it.
+void begin_bracket(Telling&, const cycles::Demand&, std::string_view name, const WayOfCall& calling = {},
+                   std::vector<cl::CycleParameter> written = {});
+/// Closes the bracket that was opened last.
+void end_bracket(Telling&);
+
+}  // namespace obrys::interp

@@ -1,0 +1,64 @@
+/// Zeros and offsets as they are stored, and coordinates as they count them.
+
+#include "interp/values/values.hpp"
+
+namespace obrys::interp {
+
+namespace {
+
+constexpr std::size_t rotation_about_z = 9;  // behind the axes
+
+}  // namespace
+
+bool holds_all(const Saying& run) { return run.env.stored != nullptr || run.env.tell_settings; }
+
+bool is_zero_held(const Reckoning& run, std::uint32_t datum, std::size_t axis) {
+    if (holds_all(run) || run.env.machine.datums.contains(datum)) return true;
+    const std::uint32_t behind =
+        axis == rotation_about_z ? run.traits->offsets.rotation : static_cast<std::uint32_t>(axis);
+    const auto first = first_of_datum(run, datum);
+    return first && (axis != rotation_about_z || behind != 0) && run.parameters.is_set(*first + behind);
+}
+
+bool is_datum_given(const Reckoning& run, std::uint32_t datum, std::size_t axis) {
+    return is_zero_held(run, datum, axis);
+}
+
+bool is_datum_given(const Reckoning& run, std::size_t axis) { return is_zero_held(run, run.reference_datum, axis); }
+
+bool is_datum_given(const Reckoning& run) {
+    bool given = false;
+    for (std::size_t k = 0; k < 3; ++k) given = given || is_datum_given(run, k);
+    return given;
+}
+
+bool holds_active_datum(const Reckoning& run, std::uint32_t n) {
+    const std::uint32_t external_first = run.traits->offsets.external_first;
+    if (external_first != 0 && n >= external_first && n < external_first + 9) return true;
+    const auto first = first_of_datum(run, run.modal.datum);
+    return first && n >= *first && n < *first + 9;
+}
+
+geom::Frame datum_frame(const Reckoning& run) {
+    const Offsets& o = run.offsets;
+    const Axes tip = tip_in_use(o);
+    const geom::Frame f = geom::Frame::shift({o.datum[0] - o.reference[0] + o.tool[0] - tip[0],
+                                              o.datum[1] - o.reference[1] + o.tool[1] - tip[1],
+                                              o.datum[2] - o.reference[2] + o.tool[2] - tip[2]});
+    return o.rotation == 0 ? f : f * geom::Frame::rotation(2, geom::radians(o.rotation));
+}
+
+double axis_coordinate(const Reckoning& run, std::size_t axis) {
+    if (axis < 3) return coordinate(run.programmed_position, static_cast<int>(axis));
+    const auto found = run.extra_axes.find(axis_name(axis));
+    return found == run.extra_axes.end() ? unknown_number : found->second - run.offsets.total[axis];
+}
+
+double machine_coordinate(const Reckoning& run, std::size_t axis) {
+    const Offsets& o = run.offsets;
+    if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + o.reference[axis] + tip_in_use(o)[axis];
+    const double at = axis_coordinate(run, axis);
+    return at + o.total[axis] + o.reference[axis];
+}
+
+}  // namespace obrys::interp
