@@ -90,6 +90,9 @@ struct MachinePlace {
     std::uint8_t number = 1;       ///< of reference points and fixed ones: which
     std::array<bool, 3> axes{};    ///< X, Y, Z go there
     geom::Vec3 to{NAN, NAN, NAN};  ///< machine coordinates as the control counts them, mm; NaN: not known
+    /// Of coordinates: the tip of the tool goes there, by its compensated length (SUPA under D1); else what holds it
+    /// does (G53, M91), or the tool has no length along these axes.
+    bool tip = false;
     bool operator==(const MachinePlace&) const = default;
 };
 

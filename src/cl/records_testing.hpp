@@ -82,6 +82,7 @@ inline MachinePlace any_place() {
     if (p.axes[0]) p.to.x = number();
     if (p.axes[1]) p.to.y = number();
     if (p.axes[2]) p.to.z = number();
+    p.tip = *rc::gen::arbitrary<bool>();
     return p;
 }
 

@@ -180,6 +180,7 @@ void fields(Io& io, Of<Io, MachinePlace>& s) {
         io.flag(names[k], s.axes[k]);
         if (s.axes[k]) io.number(*to[k]);
     }
+    io.flag("tip", s.tip);
 }
 
 // --- feed, spindle, tools

@@ -67,6 +67,9 @@ struct Tolerance {
     /// Both are of one control: zeros of other numbers are other zeros, also where nobody knows their places, and
     /// a length that one of them never compensates is missing there.
     bool same_control = false;
+    /// B was written from A: a length that A compensates has to be compensated, and a zero that both call by a number
+    /// of the same kind (G54 to G59, presets) has to be the same one, also where nobody knows its place.
+    bool is_written_from_a = false;
 };
 
 /// Compares two streams as they come. Only what has no counterpart yet is kept.

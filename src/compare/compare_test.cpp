@@ -74,5 +74,78 @@ TEST(Compare, AnUnknownPlaceIsTheSameAsAnUnknownOneOnly) {
     EXPECT_EQ(differences({line(NAN)}, {line(5)}), "motion");
 }
 
+/// What a post leaves out of a program that it writes: the numbers look the same.
+TEST(Compare, AProgramThatIsWrittenHasItsLengthsAndZeros) {
+    const auto in = [](std::uint32_t zero, bool lengthened) {
+        Steps out{cl::Datum{zero, {NAN, NAN, NAN}}, cl::ToolChange{1, 1, ""}};
+        if (lengthened) out.emplace_back(cl::ToolLength{1, 1, {}});
+        out.insert(out.end(), {cl::Feed{100}, line(10), line(20)});
+        return out;
+    };
+    const auto first = [](const Steps& a, const Steps& b, const Tolerance& t) {
+        std::string out;
+        for (const Difference& d : compared(a, b, t).first)
+            out += (out.empty() ? "" : " ") + std::string(name_of(d.aspect));
+        return out;
+    };
+    const Tolerance written{.is_written_from_a = true}, same{.same_control = true};
+    EXPECT_EQ(first(in(54, true), in(54, false), {}), "datum");
+    EXPECT_EQ(first(in(54, true), in(54, false), written), "tool");
+    EXPECT_EQ(first(in(54, false), in(54, true), written), "datum");  // the control compensates by itself
+    EXPECT_EQ(first(in(54, true), in(54, false), same), "tool");
+    EXPECT_EQ(first(in(54, true), in(55, true), {}), "datum");
+    EXPECT_EQ(first(in(54, true), in(55, true), written), "datum motion");
+    EXPECT_EQ(first(in(1000, true), in(54, true), written), "datum");  // called otherwise there
+}
+
+TEST(Compare, PlacesOfTheMachine) {
+    const auto to = [](cl::MachinePlace place) {
+        return Steps{cl::ToolChange{1, 1, ""}, line(10), place, cl::Linear{{10, 0, NAN}, {0, 0, 1}, true}, line(20)};
+    };
+    const cl::MachinePlace up{cl::PlaceKind::coordinates, 1, {false, false, true}, {NAN, NAN, 0}};
+    cl::MachinePlace tip = up, home = up, aside = up;
+    tip.tip = true;
+    home.kind = aside.kind = cl::PlaceKind::home, home.to.z = aside.to.z = NAN;
+    aside.axes = {true, false, false};
+    EXPECT_EQ(differences(to(up), to(up)), "");
+    EXPECT_EQ(differences(to(up), to(tip)), "tool events");
+    EXPECT_EQ(differences(to(home), to(aside)), "events");
+    // Without its length on the way there, with it again behind that: only where the tip does not go there.
+    const auto off = [&](cl::MachinePlace place) {
+        Steps out = to(place);
+        out.insert(out.begin() + 2, cl::ToolChange{1, 0, ""});
+        out.insert(out.end() - 1, cl::ToolChange{1, 1, ""});
+        return out;
+    };
+    EXPECT_EQ(differences(to(up), off(up)), "");
+    EXPECT_EQ(differences(to(tip), off(tip)), "tool");
+}
+
+TEST(Compare, WhatHoldsWhileTheToolStands) {
+    const auto waits = [](const cl::Coolant& coolant) {
+        return Steps{line(10), coolant, cl::Dwell{1, 0}, cl::Coolant{}, line(20)};
+    };
+    EXPECT_EQ(differences(waits({true, false}), waits({false, true})), "coolant");
+    EXPECT_EQ(differences(waits({true, false}), waits({true, false})), "");
+}
+
+TEST(Compare, AnotherToolAtTheSameNumbersIsAMove) {
+    const Steps there{line(10), cl::ToolChange{2, 1, ""}, line(10), line(20)};
+    EXPECT_EQ(differences(there, {line(10), cl::ToolChange{2, 1, ""}, line(20)}), "motion");
+    const Steps zero{line(10), cl::Datum{55, {NAN, NAN, NAN}}, line(10), line(20)};
+    EXPECT_EQ(differences(zero, {line(10), cl::Datum{55, {NAN, NAN, NAN}}, line(20)}), "motion");
+}
+
+TEST(Compare, AnAxisThatIsCountedOtherwiseMoves) {
+    const auto turned = [](bool counted) {
+        const cl::Axis c{{'C'}, 30, true, false};
+        cl::Axis again = c;
+        again.counted = counted;
+        return Steps{c, line(10), again, line(20)};
+    };
+    EXPECT_EQ(differences(turned(false), turned(false)), "");
+    EXPECT_EQ(differences(turned(false), turned(true)), "motion");
+}
+
 }  // namespace
 }  // namespace obrys::compare

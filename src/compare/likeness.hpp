@@ -108,7 +108,7 @@ public:
                share(a.feed, b.feed);
     }
     [[nodiscard]] bool operator()(const cl::MachinePlace& a, const cl::MachinePlace& b) const {
-        return a.kind == b.kind && a.number == b.number && a.axes == b.axes && place(a.to, b.to);
+        return a.kind == b.kind && a.number == b.number && a.axes == b.axes && place(a.to, b.to) && a.tip == b.tip;
     }
     [[nodiscard]] bool operator()(const cl::Datum& a, const cl::Datum& b) const {
         return a.number == b.number && place(a.origin, b.origin);
@@ -163,6 +163,7 @@ public:
     }
     [[nodiscard]] double length() const { return t_.length; }
     [[nodiscard]] bool same_control() const { return t_.same_control; }
+    [[nodiscard]] bool is_written_from_a() const { return t_.is_written_from_a; }
 
 private:
     Tolerance t_;

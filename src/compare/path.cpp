@@ -62,6 +62,8 @@ void Path::hold() {
     Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length, {}, s.datum, s.frame, s.tolerance, s.path};
     if (by_values) now.length_by = s.length.by;
     compensates_length = compensates_length || now.length != 0;
+    // There the tool's length does not count: a control may have to put it off and on again for that.
+    if (to_holder_) now.tool.edge = 0, now.length = 0, now.length_by.reset();
     Holding marked = with_marks(now);
     if (marked == marked_) return;
     marked_ = std::move(marked);
@@ -103,7 +105,9 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     if (!(length == length_there_)) at_.reset();
     length_there_ = length;
     if (leads_nowhere(record.step, to)) return;
+    if (to_holder_) held_ = false;
     hold();
+    if (std::exchange(to_holder_, false)) held_ = false;
     for (const cl::Axis& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
     if (goes_on(record)) {
         auto& arc = std::get<cl::Arc>(moves.back().step);
@@ -187,6 +191,8 @@ void Path::take_event(const cl::Record& record) {
         return;
     }
     hold();
+    const auto* place = std::get_if<cl::MachinePlace>(&step);
+    to_holder_ = to_holder_ || (place != nullptr && !place->tip);
     take_item(events, std::move(step), record);
 }
 

@@ -78,6 +78,7 @@ private:
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
     Holding marked_;                      ///< the same, with numbers in the place of those that nobody knows
     bool held_ = false;                   ///< nothing came since that would change it
+    bool to_holder_ = false;              ///< the next move leads what holds the tool to a place of the machine
     geom::Vec3 arc_from_;                 ///< where the last arc began
     std::optional<geom::Vec3> at_;        ///< end of the last move that counts
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there

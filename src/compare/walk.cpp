@@ -13,14 +13,25 @@ std::string with_axes(const Move& m) {
     return out;
 }
 
-/// The machine goes to another place for the same numbers: both zeros are known and differ, or one control knows them
-/// by other numbers.
+/// Zeros that controls call by the same numbers: G54 to G59, SINUMERIK's others, presets, FANUC's G54.1 P; 0: none.
+int kind_of_zero(std::uint32_t number) {
+    constexpr std::array<std::pair<std::uint32_t, std::uint32_t>, 4> kinds{
+        {{54, 59}, {505, 599}, {1000, 5399}, {5401, 5700}}};
+    for (std::size_t k = 0; k < kinds.size(); ++k)
+        if (number >= kinds[k].first && number <= kinds[k].second) return static_cast<int>(k) + 1;
+    return 0;
+}
+
+/// The machine goes to another place for the same numbers: both zeros are known and differ, or are known by other
+/// numbers to one control or to two that number them alike.
 bool is_elsewhere(const cl::Datum& a, const cl::Datum& b, const Likeness& like) {
     const geom::Vec3 &p = a.origin, &q = b.origin;
     const auto differ = [&](double x, double y) { return std::abs(x - y) > like.length(); };  // never of NaN
     const bool unknown = !geom::is_finite(p) || !geom::is_finite(q);
-    return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) ||
-           (like.same_control() && unknown && a.number != b.number);
+    const int kind = kind_of_zero(a.number);
+    const bool by_number =
+        like.same_control() || (like.is_written_from_a() && kind != 0 && kind == kind_of_zero(b.number));
+    return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) || (by_number && unknown && a.number != b.number);
 }
 
 }  // namespace
@@ -159,8 +170,10 @@ Result Walk::finish() {
     if (!lone_at_) all.add(behind_);
     if (lone_at_) out.looked_to = differs_at_.value_or(*lone_at_);
     if (lone_at_) all.add(lone_);
-    // A program of another control that compensates no length at all counts from other zeros.
-    const bool both = like.same_control() || (sides[0].path().compensates_length && sides[1].path().compensates_length);
+    // A program of another control that compensates no length at all counts from other zeros, but where it was to do
+    // the same.
+    const bool in_a = sides[0].path().compensates_length, in_b = sides[1].path().compensates_length;
+    const bool both = like.same_control() || (in_a && (in_b || like.is_written_from_a()));
     Found sorted;
     for (Difference d : all.all) {
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum;

@@ -25,6 +25,13 @@ bool leaves_out(std::string_view code) {
     return false;
 }
 
+/// Of a function without effect on the path, "M88 has no effect …": it stands in what is written.
+bool is_written(const Ledger& ledger, std::string_view said) {
+    const std::string what = "function " + std::string(said.substr(0, said.find(' ')));
+    return std::any_of(ledger.entries().begin(), ledger.entries().end(),
+                       [&](const Ledger::Entry& e) { return e.note.what == what; });
+}
+
 }  // namespace
 
 bool Ledger::add(const write::Note& note) {
@@ -44,9 +51,11 @@ bool Ledger::add(const write::Note& note) {
 
 void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending) {
     for (const base::Diagnostic& d : s.diagnostics.all()) {
-        if (!leaves_out(d.code)) continue;
+        const bool said = d.code == codes::no_effect;  // and left out
+        if (said ? is_written(ledger, d.text) : !leaves_out(d.code)) continue;
         write::Note note;
         note.what = d.text;
+        if (said) note.fate = write::Fate::expanded;
         note.from = d.where;
         static_cast<void>(ledger.add(note));
     }

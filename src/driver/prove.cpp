@@ -89,7 +89,10 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.why_not.clear();
     take_described_tools(s, out.run->job);
     if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
-    out.compared = compare_with(translated.does, *out.run, tolerance);
+    compare::Tolerance within = tolerance;
+    within.same_control = s.control == post.control;
+    within.is_written_from_a = true;
+    out.compared = compare_with(translated.does, *out.run, within);
     out.moves = out.compared.moves_b;
     out.within = tolerance.length;
     if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);

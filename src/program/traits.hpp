@@ -256,6 +256,8 @@ struct Traits {
     bool feed_mode_ends_surface_speed = true;
     /// M functions that the control itself knows and that do nothing to the path.
     std::span<const std::int16_t> own_functions{};
+    /// Of those the ones that go to the machine as they stand (gears, clamps, coolant through the tool).
+    std::span<const std::int16_t> passed_functions{};
     std::span<const SpindleStop> spindle_stops{};
     std::span<const FunctionLetters> function_letters{};  ///< of the control's own M functions
     /// Letters that an M function of the machine builder may take; empty: none, M functions stand alone.

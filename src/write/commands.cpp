@@ -58,6 +58,8 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::length_off, "tool", "length-off", "tool.length-off"},
     {Command::machine_coordinates, "machine", "coordinates", "machine.coordinates"},
     {Command::machine_linear, "machine", "linear", "machine.linear"},
+    {Command::machine_tip, "machine", "tip", "machine.tip"},
+    {Command::machine_linear_tip, "machine", "linear-tip", "machine.linear-tip"},
     {Command::machine_home, "machine", "home", "machine.home"},
     {Command::machine_second, "machine", "second-home", "machine.second-home"},
     {Command::machine_fixed, "machine", "fixed", "machine.fixed"},

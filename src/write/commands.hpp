@@ -58,7 +58,9 @@ enum class Command : std::uint8_t {
     length_by,  ///< by values
     length_off,
     machine_coordinates,
-    machine_linear,  ///< the same at feed
+    machine_linear,      ///< the same at feed
+    machine_tip,         ///< the tool's tip goes there
+    machine_linear_tip,  ///< the same at feed
     machine_home,
     machine_second,  ///< the second reference point
     machine_fixed,

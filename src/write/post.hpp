@@ -101,16 +101,19 @@ struct Post {
     bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
     std::string stop_stops_spindle;  ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
-    bool raises_to_retract_plane = false;  ///< before cycles, where the tool stands below it, and before it moves over
+    bool raises_to_retract_plane = false;   ///< before cycles, where the tool stands below it, and before it moves over
+    std::vector<std::string> kept_in_cycles;  ///< letters of words that stay in force within a series of cycles
     bool rise_before_cycle_end = false;  ///< the way up between two cycles stands before the word that ends the first
     bool corner_in_block = true;         ///< of the element; else a block of its own behind it
     bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone
     bool comment_holds_quotes = true;    ///< a text may hold "
     bool comment_holds_brackets = true;  ///< a comment may hold ( and )
     std::string function_letters;        ///< of functions that the control has; empty: all
-    std::size_t longest_comment = 0;     ///< 0: as long as it is
-    std::optional<HookText> lua;         ///< functions that are asked before the templates
-    std::set<Command> hooked;            ///< what it has functions for
+    std::vector<std::string> functions_refused;     ///< "M29": the control would take it for nothing, or something else
+    std::vector<std::string> functions_with_speed;  ///< beside which the speed stands
+    std::size_t longest_comment = 0;                ///< 0: as long as it is
+    std::optional<HookText> lua;                    ///< functions that are asked before the templates
+    std::set<Command> hooked;                       ///< what it has functions for
     std::set<cl::CycleKind> hooked_cycles;
     Grammar grammar;  ///< of templates
 

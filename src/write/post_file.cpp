@@ -89,8 +89,8 @@ public:
         if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
-        for (const std::string_view known :
-             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words", "frames", "system", "cycle-program"})
+        for (const std::string_view known : {"extends", "expressions", "operators", "functions", "parameters", "flow",
+                                             "words", "frames", "system", "cycle-program"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
@@ -199,12 +199,17 @@ private:
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.raises_to_retract_plane = s.boolean("raises_first").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
+            if (name == "cycles") post_.kept_in_cycles = s.texts("keeps");
             if (name == "file")
                 post_.encoding =
                     static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") static_cast<void>(s.boolean("inherit"));  // joined() has looked at it
-            if (name == "function") post_.function_letters = s.text("letters").value_or("");
+            if (name == "function") {
+                post_.function_letters = s.text("letters").value_or("");
+                post_.functions_refused = s.texts("refused");
+                post_.functions_with_speed = s.texts("with_speed");
+            }
             if (name == "text") {
                 post_.comment_is_plain = s.boolean("plain").value_or(false);
                 post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);

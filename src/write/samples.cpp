@@ -124,6 +124,9 @@ void Maker::places() {
     constexpr std::array z{false, false, true};
     const geom::Vec3 unknown{NAN, NAN, NAN}, up{at_.x, at_.y, NAN};
     add("machine coordinates", {MachinePlace{PlaceKind::coordinates, 1, z, {NAN, NAN, -10}}, line(up, true)});
+    MachinePlace of_tip{PlaceKind::coordinates, 1, z, {NAN, NAN, -10}};
+    of_tip.tip = true;
+    add("machine coordinates of the tip", {of_tip, line(up, true)});
     add("reference point", {MachinePlace{PlaceKind::home, 1, z, unknown}, line(up, true)});
     add("second reference point", {MachinePlace{PlaceKind::home, 2, z, unknown}, line(up, true)});
     add("fixed place of the machine", {MachinePlace{PlaceKind::fixed, 1, z, unknown}, line(up, true)});
@@ -217,8 +220,7 @@ void Maker::events() {
     add("line for the terminal", {cl::Comment{"Turn the part", true, true}});
     add("M function", {cl::Auxiliary{'M', 188}});
     add("H function", {cl::Auxiliary{'H', 5}});
-    add("a called part",
-        {cl::PartBegin{cl::PartKind::call, "SUB", 1, 1}, next(), cl::PartEnd{}});
+    add("a called part", {cl::PartBegin{cl::PartKind::call, "SUB", 1, 1}, next(), cl::PartEnd{}});
 }
 
 /// The roles that a form prints or asks for.

@@ -298,6 +298,12 @@ void Writer::event(const cl::Auxiliary& aux) {
     const std::string& letters = post_.function_letters;
     if (!letters.empty() && letters.find(aux.letter) == std::string::npos)
         return note(Fate::lost, what + ": the control has no functions of this letter");
+    const auto is_of = [&](const std::vector<std::string>& list) {
+        return std::find(list.begin(), list.end(), what.substr(what.rfind(' ') + 1)) != list.end();
+    };
+    if (is_of(post_.functions_refused)) return note(Fate::lost, what + ", which means nothing to this control,");
+    const double speed = cursor_.state().spindle.speed;
+    if (is_of(post_.functions_with_speed) && speed > 0) values_.set(Value::speed, speed);
     print(Command::function, what);
 }
 

@@ -140,6 +140,7 @@ private:
     void note_tapping();
     void stop_spindle(const std::string& word);
     void set_tool(const cl::ToolChange& change);
+    void await_length_of(const cl::ToolChange& change);
     void write_standing(const cl::ToolChange& change);
     void write_length();
     void write_waiting_length();
@@ -169,6 +170,7 @@ private:
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
+    [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
     void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     void note_feed(bool rapid);
@@ -184,6 +186,8 @@ private:
 
     // Cycles.
     [[nodiscard]] const CycleForm* cycle_form(const cl::Cycle& cycle) const;
+    [[nodiscard]] std::set<std::string> kept_words(const CycleForm& form) const;
+    void end_series_that_says_more(const CycleForm& form);
     [[nodiscard]] double level_of_series(bool over) const;
     [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const;
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
@@ -239,7 +243,8 @@ private:
     std::string defined_;                      ///< cycle in force, as printed
     std::string called_;                       ///< the last cycle without its place
     bool in_cycles_ = false;
-    double series_level_ = 0;  ///< Z, as programmed, where the series of cycles in force has begun
+    std::set<std::string> series_says_;  ///< letters of words that the series keeps
+    double series_level_ = 0;            ///< Z, as programmed, where the series of cycles in force has begun
 
     /// X, Y and Z as moves without a word for them leave them: posts of lathes have no Y.
     std::array<double, 3> stands_{NAN, 0, NAN};

@@ -118,6 +118,23 @@ bool Writer::gets_there(const CycleForm& form, const cl::Cycle& cycle, double le
     return std::abs(level - *end) <= same || (retract && *end <= *retract && level <= *retract + same);
 }
 
+/// Letters of words that the call says and that then hold until the end of the series. The values are set.
+std::set<std::string> Writer::kept_words(const CycleForm& form) const {
+    std::set<std::string> out;
+    for (const Block& block : form.call) {
+        const std::string text = " " + printer_.whole(block, values_).value_or("");
+        for (const std::string& letter : post_.kept_in_cycles)
+            if (text.find(" " + letter) != std::string::npos) out.insert(letter);
+    }
+    return out;
+}
+
+/// A word of the series (the dwell P) that this cycle does not say would hold for it, too.
+void Writer::end_series_that_says_more(const CycleForm& form) {
+    const std::set<std::string> own = kept_words(form);
+    if (!std::includes(own.begin(), own.end(), series_says_.begin(), series_says_.end())) end_cycles();
+}
+
 /// Writes the bracket as a cycle of the control, its own or one that makes the same hole; false, and nothing is
 /// written, where it has none that says it all.
 bool Writer::fold(const cl::CycleBegin& begin) {
@@ -163,6 +180,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
         return form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
                held_.back().record.stack == now_->stack;
     };
+    end_series_that_says_more(*form);
     const double level = level_of_series(goes_over());
     if (!gets_there(*form, cycle, level)) return false;
     if (rise_waits()) write_rise();
@@ -180,6 +198,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     set_values(way, at);  // the begin of a series has values of its own
     if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
     defined_ = defined;
+    series_says_.merge(kept_words(*form));
     const std::uint64_t line = layout_.next();
     Parts parts = parts_of(false, nullptr);
     if (way.feed) parts.feed = &post_[Command::feed_per_minute], values_.set(Value::feed, *way.feed);

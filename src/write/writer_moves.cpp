@@ -2,6 +2,7 @@
 #include <cmath>
 #include <utility>
 
+#include "write/samples.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
@@ -236,22 +237,29 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (const auto* spline = std::get_if<cl::Spline>(&step)) write_spline(*spline);
 }
 
+/// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
+Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
+    if (place.kind == cl::PlaceKind::fixed) return Command::machine_fixed;
+    if (place.kind == cl::PlaceKind::home) return place.number > 1 ? Command::machine_second : Command::machine_home;
+    const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
+    const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
+    return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
+}
+
 /// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
 bool Writer::write_place(const cl::Linear& line) {
     if (!place_) return false;
     const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
-    const Command command = place.kind == cl::PlaceKind::fixed ? Command::machine_fixed
-                            : place.kind == cl::PlaceKind::home
-                                ? (place.number > 1 ? Command::machine_second : Command::machine_home)
-                            : line.rapid ? Command::machine_coordinates
-                                         : Command::machine_linear;
+    const Command command = place_command(place, line.rapid);
     const bool said = place.kind != cl::PlaceKind::coordinates;
     const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
     bool known = true;
     for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
     if (!post_.has(command) || !known) {
         const geom::Vec3 p = line.to;
-        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine");
+        const std::string why =
+            place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command)) : "";
+        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine" + why);
         return !geom::is_finite(p);
     }
     end_cycles();
@@ -261,6 +269,7 @@ bool Writer::write_place(const cl::Linear& line) {
     for (std::size_t k = 0; k < 3; ++k)
         if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
     values_.set(Value::number, place.number);
+    if (const std::uint32_t edge = cursor_.state().change.edge; edge != 0) values_.set(Value::edge, edge);
     const std::uint64_t at = layout_.next();
     const Printed printed = put(command, parts_of(line.rapid, nullptr), "a move to a place of the machine");
     if (printed == Printed::all || printed == Printed::nothing)

@@ -48,10 +48,12 @@ void Writer::write_tool() {
     const bool by_name = !change.name.empty() && post_.has(Command::tool_by_name);
     const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
     const bool same = tool_ && tool_->number == change.number && tool_->name == change.name;
+    const bool had_length = same && tool_->with_length;
     tool_ = change;
     // The tool stays in the spindle: another edge, or nothing but what is written by other words.
     if (same && !post_.repeats_tool) {
         if (post_.has(Command::tool_edge)) print(Command::tool_edge, what);
+        if (!had_length) await_length_of(change);
         return;
     }
     printer_.forget_coordinates();
@@ -63,6 +65,11 @@ void Writer::write_tool() {
     if (!place_tool(change, what)) return;
     print(none ? Command::tool_none : by_name ? Command::tool_by_name : Command::tool_change, what);
     stop_spindle(post_.change_stops_spindle);
+    await_length_of(change);
+}
+
+/// The tool's length is compensated with it; controls that have a word for that say it in the next straight move.
+void Writer::await_length_of(const cl::ToolChange& change) {
     if (!change.with_length || !post_.has(Command::length_on)) return;
     length_ = {1, change.number, {}};
     length_waits_ = Command::length_on;
@@ -310,6 +317,7 @@ void Writer::end_cycles() {
     if (!in_cycles_) return;
     in_cycles_ = false;
     defined_.clear();
+    series_says_.clear();
     values_.clear();
     static_cast<void>(put(Command::cycle_end, {}, "the end of cycles"));
 }

@@ -198,6 +198,7 @@ const program::Traits acramatic_traits{
     .tool_change_stops_spindle = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
+    .passed_functions = own_functions,
     .radius_at_start = true,
     .hole_depth_from_top = true,
     .helix_lead_across = true,

@@ -104,6 +104,8 @@ struct FanucM {
     std::string_view says;
 };
 [[nodiscard]] FanucM find_fanuc_m(int code, const FanucControl& control);
+/// Numbers of those that are accepted: they go to the machine as they stand.
+[[nodiscard]] std::span<const std::int16_t> accepted_fanuc_m(bool haas);
 
 /// Parameter that an argument letter of G65 and G66 sets (argument specification I); 0: the letter is none.
 [[nodiscard]] int argument_parameter(char letter);

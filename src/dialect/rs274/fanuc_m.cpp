@@ -1,6 +1,7 @@
 /// M functions. Sources: FANUC series 16i operator's manual, auxiliary function; Haas mill operator's manual 96-8000, M
 /// codes. All others belong to the machine's builder.
 
+#include <algorithm>
 #include <array>
 
 #include "dialect/rs274/fanuc.hpp"
@@ -83,7 +84,27 @@ constexpr std::array haas{
     FanucM{109, refused, "input by the operator"},
 };
 
+constexpr bool is_accepted(const FanucM& m) { return m.use == accepted; }
+template <std::size_t n>
+constexpr std::array<std::int16_t, n> accepted_of(bool with_haas) {
+    std::array<std::int16_t, n> out{};
+    std::size_t at = 0;
+    for (const FanucM& m : common)
+        if (is_accepted(m)) out[at++] = m.code;
+    for (const FanucM& m : haas)
+        if (with_haas && is_accepted(m)) out[at++] = m.code;
+    return out;
+}
+constexpr std::size_t in_common = std::count_if(common.begin(), common.end(), is_accepted);
+constexpr std::size_t in_haas = std::count_if(haas.begin(), haas.end(), is_accepted);
+constexpr auto fanuc_accepted = accepted_of<in_common>(false);
+constexpr auto haas_accepted = accepted_of<in_common + in_haas>(true);
+
 }  // namespace
+
+std::span<const std::int16_t> accepted_fanuc_m(bool with_haas) {
+    return with_haas ? std::span<const std::int16_t>(haas_accepted) : fanuc_accepted;
+}
 
 FanucM find_fanuc_m(int code, const FanucControl& control) {
     for (const FanucM& m : common)

@@ -153,6 +153,7 @@ constexpr program::Traits common{
 program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haas, bool lathe) {
     program::Traits t = common;
     t.canned = cycles;
+    t.own_functions = t.passed_functions = accepted_fanuc_m(haas);
     t.pitch_along = program::PitchAlong::farthest_axis;
     if (haas) t.kept = haas_kept;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation

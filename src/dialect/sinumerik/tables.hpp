@@ -90,6 +90,7 @@ inline constexpr std::array kept_parameters{program::KeptParameters{0, 999, {}, 
 
 /// M70 makes the spindle an axis: it stands under position control until M3, M4 or M5.
 inline constexpr std::array<std::int16_t, 7> own_functions{40, 41, 42, 43, 44, 45, 70};
+inline constexpr std::span gears(own_functions.data(), 6);
 inline constexpr std::array spindle_stops{program::SpindleStop{70, true}};
 
 /// Comparisons of REAL values hold within a relative 1e-12 (Job Planning manual, comparison operations).
@@ -99,6 +100,7 @@ inline constexpr program::Traits traits{
     .text_may_end = true,
     .kept = kept_parameters,
     .own_functions = own_functions,
+    .passed_functions = gears,
     .spindle_stops = spindle_stops,
     .modal_call_without_motion = true,
     .corner_may_be_tangential = true,

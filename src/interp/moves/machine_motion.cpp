@@ -148,6 +148,15 @@ bool reference_point(Moving& run) {
     return true;
 }
 
+/// Whether the tool's length counts in them: with SUPA it does while D names an edge ($MN_G53_TOOLCORR = 0, as
+/// delivered; SINUMERIK ISO Milling 04.07, page 3-42), along the tool of a mill, along both axes of a lathe.
+bool leads_tip(const Reckoning& run, const cl::MachinePlace& place) {
+    if (keeps_offsets(run) || run.traits->machine_words_are_gauge_point) return false;
+    const bool has_tool = run.tool.edge != 0 && (run.tool.number != 0 || !run.tool.name.empty());
+    const auto w = static_cast<std::size_t>(plane_axes(run.modal.plane).w);
+    return has_tool && (run.env.machine.kind == shop::MachineKind::lathe || place.axes[w]);
+}
+
 /// SUPA, G53, G153: the words are machine coordinates (G53: without any frame, the same here).
 bool machine_move(Moving& run) {
     const ContourPoint contour(run);
@@ -167,6 +176,7 @@ bool machine_move(Moving& run) {
         coordinate(target, k) = incremental ? coordinate(target, k) + v : from_machine(run, k, v);
         if (!incremental) coordinate(place.to, k) = v;
     }
+    place.tip = leads_tip(run, place);
     if (moved != 0) emit(run, place);
     go_to(run, from_along_machine(run, target), run.modal.motion == Modal::rapid);
     contour.keep(run, moved);

@@ -89,6 +89,8 @@ namespace {
 void machine_functions(Moving& run) {
     for (const int m : run.block.m) {
         if (m == 7 || m == 8) coolant(run, m);
+        const auto passed = run.traits->passed_functions;
+        if (std::find(passed.begin(), passed.end(), m) != passed.end()) emit(run, cl::Auxiliary{'M', m});
         if (is_standard_function(run, m)) continue;
         emit(run, cl::Auxiliary{'M', m});
         assume(

@@ -147,6 +147,7 @@ void read_g_code(FanucState& s, Address& a) {
         return add_problem(s, Code::unsupported, a.begin, a.end, g->says);
     }
     if (refused_on_surface(s, *g, a)) return;
+    if (g->modal == Modal::exact_stop_block) accept(s, a);  // the stream has no stop of one block
     const FanucG seen = as_seen_on_surface(s, *g);
     follow(s, seen);
     if (g->use == FanucUse::modal)
@@ -168,11 +169,12 @@ void read_m_code(FanucState& s, Address& a) {
     switch (m.use) {
         case FanucMUse::accepted:
             if (*n == 29) s.rigid = true;
-            return accept(s, a);
+            accept(s, a);
+            return put_value(s, Order::m_user, Code::m, a.value, a);
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
         default: break;
     }
-    if (*n == 19) s.own_words.push_back({"SPR", a.begin, a.end});  // the angle, and how fast it is taken
+    if (*n == 19) s.own_words.push_back({"SPR", a.begin, a.end, true});  // the angle, and how fast it is taken
     const Order order = *n == 6               ? Order::m_tool
                         : *n >= 3 && *n <= 5  ? Order::m_spindle
                         : *n >= 7 && *n <= 9  ? Order::m_coolant

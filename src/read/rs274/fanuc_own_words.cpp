@@ -76,7 +76,10 @@ void take_own_words(FanucState& s) {
             else
                 taken.push_back(a);
         }
-        for (Address* a : taken) a->used = true;
+        for (Address* a : taken) {
+            a->used = true;
+            if (own.orients && a->letter != 'S') put_value(s, Order::value, Code::radius, a->value, *a);
+        }
         if (shared) add_problem(s, Code::unsupported, own.begin, own.end, read_twice);
     }
 }

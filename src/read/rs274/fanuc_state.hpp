@@ -39,6 +39,7 @@ struct Special {
 struct OwnWords {
     std::string_view letters;
     std::uint32_t begin = 0, end = 0;  ///< of the function
+    bool orients = false;              ///< P or R is the angle of the spindle, degrees
 };
 inline constexpr std::string_view read_twice =
     "a motion, cycle or function of the block reads one of its letters, too: write two blocks";

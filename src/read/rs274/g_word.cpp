@@ -52,6 +52,7 @@ void add_g(State& s, const GCode& g, std::uint32_t begin, std::uint32_t end) {
 void add_m(State& s, const MCode& m, std::int32_t number, const Value& v, std::uint32_t begin, std::uint32_t end) {
     s.facts.m.push_back(static_cast<std::uint16_t>(number));
     switch (m.use) {
+        case Use::ignored: s.build().ignored(source(s, begin, end), begin, end); [[fallthrough]];
         case Use::m_word: {
             Value plain = v;
             plain.literal = {};
@@ -63,7 +64,6 @@ void add_m(State& s, const MCode& m, std::int32_t number, const Value& v, std::u
             return add_value(s, m.order, Code::m, plain, begin, end);
         }
         case Use::modal: return add_modal(s, m.order, m.modal, 0, begin, end);
-        case Use::ignored: return s.build().ignored(source(s, begin, end), begin, end);
         case Use::unsupported: return add_problem(s, Code::unsupported, begin, end, m.reason);
         default: return fail(s, begin, end, "M" + std::to_string(number) + " stands first in its block");
     }

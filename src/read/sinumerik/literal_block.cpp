@@ -32,7 +32,8 @@ using Literal = base::ShortNumber;
 
 std::optional<std::int32_t> payload_of(std::int32_t number) {
     const auto g = dialect::sinumerik::find_g(number);
-    if (!g || g->use != dialect::sinumerik::Use::modal) return std::nullopt;
+    const bool said = g && g->modal == program::Modal::exact_stop_block;  // which the full reader does
+    if (!g || said || g->use != dialect::sinumerik::Use::modal) return std::nullopt;
     return program::modal_word(g->modal, g->code);
 }
 

@@ -39,6 +39,8 @@ void read_g(State& s, const Number& n, bool negative, const char* from) {
     if (!g) return add_problem(s, Code::unknown, from, "no such G function");
     switch (g->use) {
         case words::Use::modal:
+            if (g->modal == program::Modal::exact_stop_block)
+                add_ignored(s, from, s.cursor.p);  // not told by the stream
             return add_word(s, Code::modal, Form::index, program::modal_word(g->modal, g->code), from);
         case words::Use::ignored: return add_ignored(s, from, s.cursor.p);
         case words::Use::unsupported_block: skip_line(s); [[fallthrough]];
