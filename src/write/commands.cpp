@@ -98,6 +98,8 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::axis_numbered, "axis", "numbered", "axis.numbered"},
     {Command::compensation_left, "compensation", "left", "compensation.left"},
     {Command::compensation_right, "compensation", "right", "compensation.right"},
+    {Command::compensation_left_by, "compensation", "left-by", "compensation.left-by"},
+    {Command::compensation_right_by, "compensation", "right-by", "compensation.right-by"},
     {Command::compensation_off, "compensation", "off", "compensation.off"},
     {Command::corner_chamfer, "corner", "chamfer", "corner.chamfer"},
     {Command::corner_chamfer_leg, "corner", "chamfer-leg", "corner.chamfer-leg"},

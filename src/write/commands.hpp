@@ -99,6 +99,8 @@ enum class Command : std::uint8_t {
     axis_numbered,  ///< "C2"
     compensation_left,
     compensation_right,
+    compensation_left_by,  ///< the radius that the program says
+    compensation_right_by,
     compensation_off,
     corner_chamfer,
     corner_chamfer_leg,

@@ -89,8 +89,8 @@ public:
         if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
-        for (const std::string_view known :
-             {"extends", "expressions", "operators", "functions", "parameters", "flow", "words", "frames", "system", "cycle-program"})
+        for (const std::string_view known : {"extends", "expressions", "operators", "functions", "parameters", "flow",
+                                             "words", "frames", "system", "cycle-program"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
@@ -125,7 +125,7 @@ private:
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
             if (style.factor == 0) complain(place(s, "factor"), "'factor' must not be 0");
-            style.most = s.number("most", shop::Range::positive).value_or(style.most);
+            style.most = s.number("most", shop::Range::value).value_or(style.most);
             style.at_rapid = s.text("at_rapid").value_or(style.at_rapid);
             s.finish();
         }
