@@ -14,6 +14,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::linear, "motion", "linear", "motion.linear"},
     {Command::arc_cw, "motion", "arc-cw", "motion.arc-cw"},
     {Command::arc_ccw, "motion", "arc-ccw", "motion.arc-ccw"},
+    {Command::arc_in_space, "motion", "arc-in-space", "motion.arc-in-space"},
     {Command::helix_cw, "motion", "helix-cw", "motion.helix-cw"},
     {Command::helix_ccw, "motion", "helix-ccw", "motion.helix-ccw"},
     {Command::thread, "motion", "thread", "motion.thread"},

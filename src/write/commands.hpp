@@ -15,7 +15,8 @@ enum class Command : std::uint8_t {
     linear,
     arc_cw,
     arc_ccw,
-    helix_cw,  ///< where it is written otherwise than an arc in the plane
+    arc_in_space,  ///< by its end and a point that it passes
+    helix_cw,      ///< where it is written otherwise than an arc in the plane
     helix_ccw,
     thread,
     thread_rising,  ///< whose pitch grows with every revolution

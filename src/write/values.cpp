@@ -8,7 +8,7 @@ namespace {
 
 // clang-format off
 constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> names{  // sizes: table
-    "x", "y", "z", "i", "j", "k", "cx", "cy", "cz", "radius", "sweep", "turns", "more-turns", "axis", "pitch",
+    "x", "y", "z", "i", "j", "k", "cx", "cy", "cz", "via-x", "via-y", "via-z", "radius", "sweep", "turns", "more-turns", "axis", "pitch",
     "pitch-x", "pitch-y", "pitch-z", "pitch-change", "start", "size", "own-feed", "length", "tool-radius",
     "handle-i", "handle-j", "handle-k", "handle-p", "handle-q", "handle-r",
     "first-x", "first-y", "first-z", "second-x", "second-y", "second-z", "third-x", "third-y", "third-z", "k1-x", "k1-y", "k1-z", "k2-x",

@@ -23,6 +23,9 @@ enum class Value : std::uint8_t {
     centre_x,
     centre_y,
     centre_z,
+    via_x,  ///< a point that it passes, in the middle of its way
+    via_y,
+    via_z,
     radius,      ///< of an arc
     sweep,       ///< of an arc, counter-clockwise positive
     turns,       ///< of an arc of more than one; else absent

@@ -167,6 +167,7 @@ private:
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
     [[nodiscard]] std::vector<double> cuts_of(const cl::Arc& arc, const geom::Vec3& from) const;
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
+    void write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     void write_spline(const cl::Spline& spline);
@@ -176,7 +177,7 @@ private:
     void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;
-    void take_axes(Parts& parts);
+    void take_axes(Parts& parts, bool home = false);
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
     void note_unsaid(Command command, const Template& form, bool rapid);

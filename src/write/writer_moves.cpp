@@ -108,20 +108,20 @@ void Writer::note_printed(Command command, const Template& form, const Parts& pa
     if (parts.corner != nullptr && !parts.corner->empty()) note(Fate::mapped, "a chamfer or rounding", line);
 }
 
-/// Words of the axes that move along.
-void Writer::take_axes(Parts& parts) {
+/// Words of the axes that move along; `home`: to their own zero, wherever that is.
+void Writer::take_axes(Parts& parts, bool home) {
     for (const cl::Axis& axis : std::exchange(axes_, {})) {
         const bool numbered = axis.name[1] != 0;
         const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
         Values value;
         value.set(Text::name, axis.name.data());
-        value.set(Value::axis, axis.to);
+        value.set(Value::axis, home ? 0 : axis.to);
         const auto text = word.empty() ? std::nullopt : printer_.whole(word.front(), value);
         if (text)
             parts.axes.push_back(*text);
         else
             note(Fate::lost, "axis " + std::string(axis.name.data()) +
-                                 (std::isnan(axis.to) ? ", which goes to a place that is not known," : ""));
+                                 (std::isnan(axis.to) && !home ? ", which goes to a place that is not known," : ""));
     }
 }
 
@@ -273,7 +273,7 @@ bool Writer::write_place(const cl::Linear& line) {
     values_.set(Value::number, place.number);
     const std::uint64_t at = layout_.next();
     Parts parts = parts_of(line.rapid, nullptr);
-    if (has_part(post_[command], Part::axes)) take_axes(parts);
+    if (has_part(post_[command], Part::axes)) take_axes(parts, place.kind == cl::PlaceKind::home);
     const Printed printed = put(command, parts, "a move to a place of the machine");
     if (printed == Printed::all || printed == Printed::nothing)
         note(Fate::mapped, "a move to a place of the machine", at);

@@ -21,6 +21,7 @@ equality says little: they are counted, and not in the shares.
 """
 SAME = ("equal", "done the same")
 RUNS, COMPLAINS, NOTHING = "runs", "runs with complaints", "moves nothing"
+NOT_READ = "not read"
 
 
 def class_of(o):
@@ -52,6 +53,8 @@ def page(groups, reasons):
     out = [HEAD]
     head = ["programs", "equal", "done the same", "lost", "not known", "stops", "differ", "the same"]
     for title, outcomes in groups.items():
+        unread = [o for o in outcomes if o.kind == NOT_READ]
+        outcomes = [o for o in outcomes if o.kind != NOT_READ]
         if not outcomes:
             continue
         out.append(f"## {title}\n\n" + row("control, and how it runs", head) + "\n" + "|---" * (len(head) + 1) + "|")
@@ -59,10 +62,12 @@ def page(groups, reasons):
             for kind in (RUNS, COMPLAINS, NOTHING):
                 part = [o for o in outcomes if o.control == control and class_of(o) == kind]
                 if part:
-                    out.append(row(f"{control or 'not read'}, {kind}", counts(part)))
+                    out.append(row(f"{control or 'not known'}, {kind}", counts(part)))
         for kind in (RUNS, COMPLAINS, NOTHING):
             part = [o for o in outcomes if class_of(o) == kind]
             out.append(row(f"**all, {kind}**", counts(part)))
+        if unread:
+            out.append(f"\nBesides, {len(unread)} files are not there: of formats that no post writes (APT, Fusion's), or what cannot be read at all.")
         left = [o for o in outcomes if o.kind not in SAME]
         named = [o for o in left if class_of(o) == RUNS or o.kind not in ("not known", "stops", "lost, said")]
         if named:
