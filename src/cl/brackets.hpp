@@ -66,6 +66,8 @@ struct CompensationBegin {
     Approach approach = Approach::normal;
     bool sharp = false;          ///< outer corners go out to the crossing of the parallels (G451); else arcs
     geom::Vec3 normal{0, 0, 1};  ///< of the plane in which it acts
+    bool given = false;          ///< the program itself says the radius (G41.1 D), and no tool or offset
+    std::uint32_t nose = 0;  ///< of a given radius: where the tip lies on it, as LinuxCNC counts (L); 0: in its centre
     bool operator==(const CompensationBegin&) const = default;
 };
 struct CompensationEnd {

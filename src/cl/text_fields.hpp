@@ -366,6 +366,10 @@ void fields(Io& io, Of<Io, CompensationBegin>& s) {
     io.choice(approaches, s.approach);
     io.flag("sharp", s.sharp);
     io.vector("normal", s.normal, {0, 0, 1});
+    io.flag("given", s.given);
+    bool nosed = s.nose != 0;
+    io.flag("nose", nosed);
+    if (nosed) io.whole(s.nose);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Programmed>& s) {

@@ -68,6 +68,7 @@ struct ModalState {
     double compensation_radius = std::numeric_limits<double>::quiet_NaN();  ///< G41 D, G41.1; NaN: of the tool, mm
     /// D programmed last (Traits::offset_numbers_stay); NaN: none yet.
     double offset_d = std::numeric_limits<double>::quiet_NaN();
+    bool compensation_given = false;     ///< G41.1: that radius stands in the program
     int compensation_orientation = -1;   ///< G41.1 L: where the tip lies on the nose; -1: of the tool
     bool feed_by_word = false;           ///< feed_mode was chosen by a word of its own (FU) until the next F
     double round_modal = 0;              ///< RNDM, mm

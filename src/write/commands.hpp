@@ -15,7 +15,8 @@ enum class Command : std::uint8_t {
     linear,
     arc_cw,
     arc_ccw,
-    helix_cw,  ///< where it is written otherwise than an arc in the plane
+    arc_in_space,  ///< by its end and a point that it passes
+    helix_cw,      ///< where it is written otherwise than an arc in the plane
     helix_ccw,
     thread,
     thread_rising,  ///< whose pitch grows with every revolution
@@ -101,6 +102,8 @@ enum class Command : std::uint8_t {
     axis_numbered,  ///< "C2"
     compensation_left,
     compensation_right,
+    compensation_left_by,  ///< the radius that the program says
+    compensation_right_by,
     compensation_off,
     corner_chamfer,
     corner_chamfer_leg,

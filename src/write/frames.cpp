@@ -132,11 +132,14 @@ void Frames::take(std::vector<cl::FramePart> parts) {
     mirrors_ = geom::determinant(all) < 0;
 }
 
-std::vector<FrameStep> Frames::clear() {
+std::vector<FrameStep> Frames::clear(const cl::Frame& wanted) {
     std::vector<FrameStep> steps;
     for (std::size_t i = parts_.size(); i-- > 0;)
         if (const auto c = commands_of(parts_[i].kind)) steps.push_back({c->reset, {}});
-    take({});
+    std::vector<cl::FramePart> stays;
+    if (!wanted.parts.empty() && wanted.parts.front().kind == cl::FrameKind::datum)
+        stays.push_back(wanted.parts.front());
+    take(std::move(stays));
     return steps;
 }
 

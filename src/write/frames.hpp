@@ -21,8 +21,8 @@ class Frames {
 public:
     /// Commands that lead to `wanted`; nothing, and no frame is in force any more, where the post has none for a part.
     [[nodiscard]] std::optional<std::vector<FrameStep>> lead_to(const cl::Frame& wanted, const Post& post);
-    /// Commands that end all parts.
-    [[nodiscard]] std::vector<FrameStep> clear();
+    /// Commands that end all parts; what the selected zero has besides its place (of `wanted`) stays.
+    [[nodiscard]] std::vector<FrameStep> clear(const cl::Frame& wanted);
     [[nodiscard]] const std::vector<cl::FramePart>& parts() const { return parts_; }
 
     /// Workpiece frame -> programmed; a coordinate that nobody knows makes those unknown that depend on it.

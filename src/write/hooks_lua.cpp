@@ -20,8 +20,9 @@ constexpr int most_blocks = 1000;
 
 /// Values that are counted: they stand in Lua as whole numbers.
 bool is_counted(ValueIndex v) {
-    for (const Value counted : {Value::turns, Value::more_turns, Value::number, Value::edge, Value::turret,
-                                Value::offset, Value::around, Value::sharp, Value::way, Value::filter, Value::block})
+    for (const Value counted :
+         {Value::turns, Value::more_turns, Value::number, Value::edge, Value::turret, Value::offset, Value::nose,
+          Value::around, Value::sharp, Value::way, Value::filter, Value::block})
         if (v == index_of(counted)) return true;
     return false;
 }

@@ -125,7 +125,7 @@ private:
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
             if (style.factor == 0) complain(place(s, "factor"), "'factor' must not be 0");
-            style.most = s.number("most", shop::Range::positive).value_or(style.most);
+            style.most = s.number("most", shop::Range::value).value_or(style.most);
             style.at_rapid = s.text("at_rapid").value_or(style.at_rapid);
             s.finish();
         }

@@ -183,7 +183,9 @@ Printed Printer::print_once(const Template& text, const Values& values, const Pa
             !block.empty() && block.front().kind == Token::Kind::literal && block.front().before == "?";
         if (!add(line, std::span(block).subspan(optional ? 1 : 0), values, parts)) return Printed::failed;
         if (optional && line.words == line.names) continue;
-        const bool says = line.words > 0 || (by_hook && line.plain > 0) || (!moves && (line.modes > 0 || !line.asked));
+        const bool goes_on = !lines.empty() && !line.asked && line.plain > 0;  // what ends the word before it
+        const bool says =
+            line.words > 0 || goes_on || (by_hook && line.plain > 0) || (!moves && (line.modes > 0 || !line.asked));
         if (says && !line.text.empty())
             lines.push_back(std::move(line));
         else if (moves && block.size() > 0 && &block == &text.back())

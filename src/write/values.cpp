@@ -8,11 +8,12 @@ namespace {
 
 // clang-format off
 constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> names{  // sizes: table
-    "x", "y", "z", "i", "j", "k", "cx", "cy", "cz", "radius", "sweep", "turns", "more-turns", "axis", "pitch",
+    "x", "y", "z", "i", "j", "k", "cx", "cy", "cz", "via-x", "via-y", "via-z", "radius", "sweep", "turns", "more-turns", "axis", "pitch",
     "pitch-x", "pitch-y", "pitch-z", "pitch-change", "start", "size", "own-feed", "length", "tool-radius",
-    "handle-i", "handle-j", "handle-k", "handle-p", "handle-q", "handle-r", "k1-x", "k1-y", "k1-z", "k2-x",
+    "handle-i", "handle-j", "handle-k", "handle-p", "handle-q", "handle-r",
+    "first-x", "first-y", "first-z", "second-x", "second-y", "second-z", "third-x", "third-y", "third-z", "k1-x", "k1-y", "k1-z", "k2-x",
     "k2-y", "k2-z", "k3-x", "k3-y", "k3-z", "lead-x", "lead-y", "lead-z", "hole-top", "hole-way", "hole-gap", "feed", "speed", "limit", "held",
-    "number", "value", "edge", "turret", "raised", "wider", "offset", "place", "approach", "entry",
+    "number", "value", "edge", "turret", "raised", "wider", "offset", "own-diameter", "nose", "place", "approach", "entry",
     "around", "sharp", "way", "merge",
     "contour", "rotary", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
     "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "factor-x", "factor-y", "factor-z",

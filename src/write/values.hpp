@@ -23,6 +23,9 @@ enum class Value : std::uint8_t {
     centre_x,
     centre_y,
     centre_z,
+    via_x,  ///< a point that it passes, in the middle of its way
+    via_y,
+    via_z,
     radius,      ///< of an arc
     sweep,       ///< of an arc, counter-clockwise positive
     turns,       ///< of an arc of more than one; else absent
@@ -44,6 +47,15 @@ enum class Value : std::uint8_t {
     handle_p,  ///< from its end to the third one
     handle_q,
     handle_r,
+    first_x,  ///< the four control points where they stand; the last one is x, y, z
+    first_y,
+    first_z,
+    second_x,
+    second_y,
+    second_z,
+    third_x,
+    third_y,
+    third_z,
     k1_x,  ///< its coefficients; the parameter runs from 1 at the start to 0 at the end
     k1_y,
     k1_z,
@@ -72,14 +84,16 @@ enum class Value : std::uint8_t {
     raised,
     wider,
     offset,
-    place,     ///< of the tool in the magazine
-    approach,  ///< the offset with which it approaches the material, where Z moves; else absent
-    entry,     ///< and goes into it
-    around,    ///< 1 where compensation comes on about the contour's start (KONT); else absent
-    sharp,     ///< 1 where outer corners go out to the crossing of the parallels; else absent
-    way,       ///< of joining moves: 642 … 645; absent where there is one
-    merge,     ///< absent where there is none
-    contour,   ///< of a tolerance
+    own_diameter,  ///< twice the radius of compensation that the program says; negative: on the other side
+    nose,          ///< where the tip lies on that radius; absent: in its centre
+    place,         ///< of the tool in the magazine
+    approach,      ///< the offset with which it approaches the material, where Z moves; else absent
+    entry,         ///< and goes into it
+    around,        ///< 1 where compensation comes on about the contour's start (KONT); else absent
+    sharp,         ///< 1 where outer corners go out to the crossing of the parallels; else absent
+    way,           ///< of joining moves: 642 … 645; absent where there is one
+    merge,         ///< absent where there is none
+    contour,       ///< of a tolerance
     rotary,
     filter,  ///< 1 finishing, 2 semi-finishing, 3 roughing, 4 precision
     seconds,

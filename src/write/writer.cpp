@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/text.hpp"
 
@@ -225,9 +226,9 @@ void Writer::take_event(const cl::Record& record) {
         static_cast<void>(cursor_.take(record));
         return take_programmed(*p);
     }
-    if (std::holds_alternative<cl::ToolChange>(step)) {
-        const bool stops = !post_.change_stops_spindle.empty() && cursor_.state().spindle.direction == 0 &&
-                           !cursor_.state().spindle.held;
+    if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
+        const bool stops = !post_.change_stops_spindle.empty() && !stays(*change) &&
+                           cursor_.state().spindle.direction == 0 && !cursor_.state().spindle.held;
         if (stops) spindle_ = cursor_.state().spindle;
         write_all();
     }
@@ -241,9 +242,21 @@ void Writer::event(const cl::ToolChange& change) {
     if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
 }
 
+/// What switches it on; nothing where the program says the radius itself and the post has no word for that.
+std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begin) const {
+    const bool left = begin.side == cl::CompensationSide::left;
+    if (!begin.given) return left ? Command::compensation_left : Command::compensation_right;
+    const Command command = left ? Command::compensation_left_by : Command::compensation_right_by;
+    return post_.has(command) ? std::optional(command) : std::nullopt;
+}
+
 void Writer::event(const cl::CompensationBegin& begin) {
     if (plain_) return;
-    compensation_ = begin.side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
+    compensation_ = compensation_of(begin);
+    if (!compensation_) {
+        note(Fate::expanded, "radius compensation by a radius that the program says");
+        plain_ = true;
+    }
     contour_begun_ = false;
     programmed_.clear();
 }
@@ -261,6 +274,8 @@ void Writer::event(const cl::Dwell& dwell) {
     write_all();
     values_.clear();
     const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
+    if (std::isnan(turns ? dwell.revolutions : dwell.seconds))
+        return note(Fate::lost, "a dwell whose time is not known");
     values_.set(Value::seconds, dwell.seconds);
     values_.set(Value::revolutions, dwell.revolutions);
     print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");

@@ -168,14 +168,18 @@ private:
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
     [[nodiscard]] std::vector<double> cuts_of(const cl::Arc& arc, const geom::Vec3& from) const;
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
+    void write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
     void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
+    [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
     void note_feed(bool rapid);
-    void note_unknown(const geom::Vec3& from, const geom::Vec3& to);
+    void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
+    [[nodiscard]] bool stays(const cl::ToolChange& change) const;
+    void take_axes(Parts& parts, bool home = false);
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
     void note_unsaid(Command command, const Template& form, bool rapid);
@@ -248,6 +252,7 @@ private:
 
     /// X, Y and Z as moves without a word for them leave them: posts of lathes have no Y.
     std::array<double, 3> stands_{NAN, 0, NAN};
+    geom::Vec3 pointed_{0, 0, 1};          ///< where the tool has pointed in the last straight move
     geom::Vec3 direction_noted_;           ///< of which has been said that it is lost
     std::set<Command> without_feed_;       ///< of which has been said that they have no place for it
     std::vector<cl::Axis> axes_;           ///< that the next move takes along

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "write/writer.hpp"
@@ -87,11 +88,30 @@ void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Pro
     write_turn(rest, at, corner);
 }
 
+/// By a point that it passes: in a plane that is none of the frame's, or that the post has no words for.
+void Writer::write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
+    const geom::Vec3 u = from - arc.centre, v = geom::cross(arc.normal, u), rise = arc.to - from;
+    const bool flat = std::abs(geom::dot(rise, arc.normal)) <= 1e-9 && std::abs(geom::dot(u, arc.normal)) <= 1e-9;
+    constexpr double most = 0.99;  // of a full turn: three points must tell the circle
+    const bool sayable = flat && std::abs(arc.sweep) < most * geom::full_turn && compensation_ == std::nullopt &&
+                         !cursor_.state().compensation && geom::is_finite(arc.centre) && geom::is_finite(u);
+    if (!post_.has(Command::arc_in_space) || !sayable)
+        return note(Fate::lost, "an arc in a plane that is none of the frame's");
+    const geom::Vec3 to = frames_.programmed(arc.to);
+    const geom::Vec3 via = frames_.programmed(arc.centre + std::cos(arc.sweep / 2) * u + std::sin(arc.sweep / 2) * v);
+    values_.clear();
+    const std::array values{std::pair{Value::x, to.x},      std::pair{Value::y, to.y},
+                            std::pair{Value::z, to.z},      std::pair{Value::via_x, via.x},
+                            std::pair{Value::via_y, via.y}, std::pair{Value::via_z, via.z}};
+    for (const auto& [value, number] : values) values_.set(value, number);
+    print_move(Command::arc_in_space, arc.rapid, corner);
+}
+
 void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
     const geom::Vec3 start = frames_.programmed(from), to = frames_.programmed(arc.to),
                      centre = frames_.programmed(arc.centre);
     const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
-    if (!is_normal_noise(normal)) return note(Fate::lost, "an arc in a plane that is none of the frame's");
+    if (!is_normal_noise(normal)) return write_arc_in_space(arc, from, corner);
     const bool outside_xy = std::abs(normal.z) < 0.5;
     if (outside_xy && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
         return note(Fate::lost, "an arc outside of the plane of X and Y: the post has no words for its plane");

@@ -265,9 +265,7 @@ void Writer::print_lead() {
     const Lead lead = *std::exchange(lead_, std::nullopt);
     values_ = lead.values;
     compensation_.reset();
-    if (const auto& c = cursor_.state().compensation; c && lead.onto)
-        compensation_ =
-            c->side == cl::CompensationSide::left ? Command::compensation_left : Command::compensation_right;
+    if (const auto& c = cursor_.state().compensation; c && lead.onto) compensation_ = compensation_of(*c);
     constexpr std::string_view what = "a way onto a contour or off it";
     const std::uint64_t line = layout_.next();
     const Printed printed = put(lead.command, parts_of(lead.rapid, nullptr), what);

@@ -109,12 +109,31 @@ void Writer::note_printed(Command command, const Template& form, const Parts& pa
     if (parts.corner != nullptr && !parts.corner->empty()) note(Fate::mapped, "a chamfer or rounding", line);
 }
 
+/// Words of the axes that move along; `home`: to their own zero, wherever that is.
+void Writer::take_axes(Parts& parts, bool home) {
+    for (const cl::Axis& axis : std::exchange(axes_, {})) {
+        const bool numbered = axis.name[1] != 0;
+        const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
+        Values value;
+        value.set(Text::name, axis.name.data());
+        value.set(Value::axis, home ? 0 : axis.to);
+        const auto text = word.empty() ? std::nullopt : printer_.whole(word.front(), value);
+        if (text)
+            parts.axes.push_back(*text);
+        else
+            note(Fate::lost, "axis " + std::string(axis.name.data()) +
+                                 (std::isnan(axis.to) && !home ? ", which goes to a place that is not known," : ""));
+    }
+}
+
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
     note_cut_without_tool(rapid);
     if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
     if (const auto& c = cursor_.state().compensation) {
         values_.set(Value::offset, c->offset != 0 ? c->offset : cursor_.state().change.number);
+        if (c->given) values_.set(Value::own_diameter, 2 * c->radius);
+        if (c->given && c->nose != 0) values_.set(Value::nose, c->nose);
         if (c->approach == cl::Approach::around) values_.set(Value::around, 1);
         if (c->sharp) values_.set(Value::sharp, 1);
     }
@@ -132,19 +151,7 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     const Template* form = form_of(command, "a move");
     if (form == nullptr) return axes_.clear();
     if (form != &said_) note_unsaid(command, *form, rapid);
-    for (const cl::Axis& axis : axes_) {
-        const bool numbered = axis.name[1] != 0;
-        const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
-        Values value;
-        value.set(Text::name, axis.name.data());
-        value.set(Value::axis, axis.to);
-        const auto text = word.empty() ? std::nullopt : printer_.whole(word.front(), value);
-        if (text)
-            parts.axes.push_back(*text);
-        else
-            note(Fate::lost, "axis " + std::string(axis.name.data()));
-    }
-    axes_.clear();
+    take_axes(parts);
     const std::uint64_t line = layout_.next();
     const Printed printed = printer_.print(*form, values_, parts, form != &said_, form == &said_);
     if (form == &said_) printer_.forget_words_of(said_);
@@ -191,10 +198,13 @@ void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* 
     print_move(command, rapid, corner);
 }
 
-/// A move to where nobody knows, from a place that is known.
-void Writer::note_unknown(const geom::Vec3& from, const geom::Vec3& to) {
+/// A move to where nobody knows: from a place that is known, or of which nothing is known.
+void Writer::note_unknown(const geom::Vec3& from, const cl::Linear& line) {
+    const geom::Vec3& to = line.to;
     const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
-    if (leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
+    const bool points_as_before = std::exchange(pointed_, line.axis) == line.axis;
+    const bool nowhere = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z) && axes_.empty() && points_as_before;
+    if (nowhere || leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
         note(Fate::lost, "a move to a coordinate that is not known");
 }
 
@@ -225,7 +235,7 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     if (line != nullptr && write_place(*line)) return;
     if (line != nullptr) {
-        note_unknown(from, line->to);
+        note_unknown(from, *line);
         note_direction(line->axis);
         const Command command = straight_command(line->rapid, line->seek);
         if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
@@ -271,7 +281,9 @@ bool Writer::write_place(const cl::Linear& line) {
     values_.set(Value::number, place.number);
     if (const std::uint32_t edge = cursor_.state().change.edge; edge != 0) values_.set(Value::edge, edge);
     const std::uint64_t at = layout_.next();
-    const Printed printed = put(command, parts_of(line.rapid, nullptr), "a move to a place of the machine");
+    Parts parts = parts_of(line.rapid, nullptr);
+    if (has_part(post_[command], Part::axes)) take_axes(parts, place.kind == cl::PlaceKind::home);
+    const Printed printed = put(command, parts, "a move to a place of the machine");
     if (printed == Printed::all || printed == Printed::nothing)
         note(Fate::mapped, "a move to a place of the machine", at);
     else if (printed == Printed::failed)

@@ -62,6 +62,9 @@ void Writer::write_spline(const cl::Spline& spline) {
     if (!anywhere) select_plane(in_plane->normal);
     values_.clear();
     set(values_, Value::x, b[3]);
+    set(values_, Value::first_x, b[0]);
+    set(values_, Value::second_x, b[1]);
+    set(values_, Value::third_x, b[2]);
     set(values_, Value::handle_i, b[1] - b[0]);
     set(values_, Value::handle_p, b[2] - b[3]);
     set(values_, Value::k1_x, 3.0 * (b[2] - b[3]));

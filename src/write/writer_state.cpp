@@ -1,5 +1,7 @@
 /// What holds is written before something happens: tool, zero, frame, spindle, coolant, tolerance, in this order.
 
+#include <algorithm>
+
 #include "base/number.hpp"
 #include "write/writer.hpp"
 
@@ -36,6 +38,11 @@ void Writer::write_standing(const cl::ToolChange& change) {
     print(Command::tool_standing, "the tool in the spindle");
 }
 
+/// The tool stays in the spindle: another edge, or nothing but what is written by other words.
+bool Writer::stays(const cl::ToolChange& change) const {
+    return tool_ && tool_->number == change.number && tool_->name == change.name && !post_.repeats_tool;
+}
+
 void Writer::write_tool() {
     const About about(*this, Topic::tool);
     tool_waits_ = false;
@@ -47,11 +54,10 @@ void Writer::write_tool() {
     const bool none = change.number == 0 && change.name.empty();
     const bool by_name = !change.name.empty() && post_.has(Command::tool_by_name);
     const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
-    const bool same = tool_ && tool_->number == change.number && tool_->name == change.name;
+    const bool same = stays(change);
     const bool had_length = same && tool_->with_length;
     tool_ = change;
-    // The tool stays in the spindle: another edge, or nothing but what is written by other words.
-    if (same && !post_.repeats_tool) {
+    if (same) {
         if (post_.has(Command::tool_edge)) print(Command::tool_edge, what);
         if (!had_length) await_length_of(change);
         return;
@@ -102,6 +108,11 @@ void Writer::write_length() {
                     : length.by        ? Command::length_by
                     : length.sense > 0 ? Command::length_on
                                        : Command::length_subtracted;
+    const auto is_unknown = [](const geom::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); };
+    if (length.by && is_unknown(*length.by)) {
+        length_waits_.reset();
+        return note(Fate::lost, "a length of the tool that is not known");
+    }
     if (length.by && post_.has(*length_waits_)) return write_waiting_length();  // in a block of its own
     if (post_.has(*length_waits_)) return;
     // A control without such words compensates each tool by its own length.
@@ -146,7 +157,7 @@ void Writer::write_datum_anew() {
     set(Value::machine_x, was.x, datum.origin.x);
     set(Value::machine_y, was.y, datum.origin.y);
     set(Value::machine_z, was.z, datum.origin.z);
-    if (std::exchange(zero_said_, false) || !any) return;
+    if (!any || std::exchange(zero_said_, false)) return;
     set_zero(datum.number, false);
 }
 
@@ -208,12 +219,14 @@ void Writer::write_frame() {
     const About about(*this, Topic::frame);
     const cl::Frame& wanted = cursor_.state().frame;
     if (wanted.parts == frames_.parts()) return;
-    if (frames_.parts().empty() && frames_refused_ == wanted) return;
+    const bool expanded = std::all_of(frames_.parts().begin(), frames_.parts().end(),
+                                      [](const cl::FramePart& p) { return p.kind == cl::FrameKind::datum; });
+    if (expanded && frames_refused_ == wanted) return;
     end_cycles();
     printer_.forget_coordinates();
     auto steps = frames_.lead_to(wanted, post_);
     if (!steps) {
-        steps = frames_.clear();
+        steps = frames_.clear(wanted);
         if (!(frames_refused_ == wanted))
             note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");
         frames_refused_ = wanted;

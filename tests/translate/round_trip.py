@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Writes programs anew for their own control and holds both to each other.
 
-usage: round_trip.py OBRYS [--golden FOLDER] [--programs FOLDER...] [--list CAUSE] [--keep FOLDER] [--only TEXT]
+usage: round_trip.py OBRYS [--golden FOLDER] [--examples FOLDER] [--programs FOLDER...] [--list CAUSE] [--keep FOLDER]
+                     [--only TEXT] [--write FILE]
 
 Prints a table: how many are equal, how many make the machine do the same but are said otherwise, and what differs first.
-Programs of which the run itself stops or which are not understood are counted apart.
+Programs that run without a complaint and move the machine are counted apart from those of which the run itself stops or
+which are not understood, and from those that move nothing. --write puts that into FILE, as docs/round-trips.md.
 """
 import argparse
 import collections
@@ -16,8 +18,9 @@ import subprocess
 import sys
 import tempfile
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "golden"))
+sys.path[:0] = [str(pathlib.Path(__file__).resolve().parent.parent / "golden"), str(pathlib.Path(__file__).resolve().parent)]
 import run as golden  # noqa: E402
+import round_trip_table  # noqa: E402
 
 TAKEN = {"--control", "--machine", "--tools", "--search", "--skip", "--set", "--ini", "--var"}
 FLAGS = {"--diameter", "--radius"}
@@ -49,6 +52,12 @@ class Case:
         self.name, self.folder, self.program, self.options = name, folder, program, options
 
 
+class Outcome:
+    def __init__(self, name, kind, aspect, what, control="", code=0, moves=0):
+        self.name, self.kind, self.aspect, self.what = name, kind, aspect, what
+        self.control, self.code, self.moves = control, code, moves
+
+
 def suffix_of(text):
     if "BEGIN PGM" in text[:40]:
         return ".H", "heidenhain-itnc530"
@@ -62,16 +71,24 @@ def suffix_of(text):
 
 
 def round_trip(obrys, case):
-    """(class, aspect, what)"""
+    """What came of it; an answer that is not there raises."""
     def call(*words):
         return subprocess.run([obrys, *words], cwd=case.folder, capture_output=True, timeout=TIMEOUT, check=False)
 
     options = list(case.options)
+    run = call("run", case.program, *options)
+    moves = len(re.findall(rb"(?m)^(?:rapid|linear|arc|spline|thread) ", run.stdout))
+    kind, aspect, what, control = written_anew(call, case, options)
+    return Outcome(case.name, kind, aspect, what, control, run.returncode, moves)
+
+
+def written_anew(call, case, options):
+    """(class, aspect, what, control)"""
     written = call("translate", case.program, "--to", "same", "--accept-loss", *options)
     err = written.stderr.decode("utf-8", "replace")
     if written.returncode == 2:
         lines = [l for l in err.splitlines() if "error" in l] or [err[:80]]
-        return "not read", "", lines[0]
+        return "not read", "", lines[0], ""
     text = written.stdout.decode("utf-8", "replace")
     taken = re.search(r"note: no machine is named: (\S+) is taken|: (lathe-generic|mill-generic) is taken", err)
     is_job = case.program.endswith(".toml")
@@ -92,13 +109,13 @@ def round_trip(obrys, case):
     said = done.stderr.decode("utf-8", "replace")
     notes = sorted(set(re.findall(r"\[(not-written|written-by-moves)\]", err)))
     if done.returncode == 2:
-        return "not read again", "", (said.splitlines() or [""])[0]
+        return "not read again", "", (said.splitlines() or [""])[0], control
     result = json.loads(done.stdout)
     # What is left of the stock is compared where both have one; null: not compared.
     wrong = [a for a, equal in result["equal"].items() if not equal and not (a == "stock" and equal is None)]
     lost = [l for l in err.splitlines() if "[not-written]" in l]
     if not wrong:
-        return "equal", "", ""
+        return "equal", "", "", control
     if any(a in DONE for a in wrong):
         d = result["differences"]
         d = next(x for x in d if x["aspect"] in DONE)
@@ -108,9 +125,9 @@ def round_trip(obrys, case):
         # What nobody knows (a coordinate no block has given, a feed of a parameter that is not set) has no words.
         unknown = lost and all(" not known" in line for line in lost)
         kind = "not known" if unknown else "lost, said" if lost else "stops" if stops else "DIFFERS"
-        return kind, d["aspect"], d["what"] + (" | " + lost[0] if lost else "")
+        return kind, d["aspect"], d["what"] + (" | " + lost[0] if lost else ""), control
     d = result["differences"][0]
-    return "done the same", d["aspect"] + (" expanded" if notes else ""), d["what"]
+    return "done the same", d["aspect"] + (" expanded" if notes else ""), d["what"], control
 
 
 def golden_cases(folder, keep):
@@ -135,65 +152,109 @@ def golden_cases(folder, keep):
 PROGRAMS = {".mpf", ".spf", ".h", ".i", ".ngc", ".nc", ".tap", ".cnc", ".min", ".arc"}
 
 
+OWN, OTHERS = "Examples and golden cases", "Programs that nobody here wrote"
+
+
 def program_cases(folders):
     for folder in folders:
         for path in sorted(pathlib.Path(folder).rglob("*")):
             if path.is_file() and path.suffix.lower() in PROGRAMS:
-                yield Case(str(path), path.parent, path.name, [])
+                name = pathlib.Path(folder).name + "/" + str(path.relative_to(folder))
+                yield Case(name, path.parent, path.name, [])
+
+
+def example_cases(folder):
+    for path in sorted(pathlib.Path(folder).rglob("*")):
+        job = path.name.endswith(".job.toml")
+        if path.is_file() and (path.suffix.lower() in PROGRAMS or job):
+            yield Case("examples/" + str(path.relative_to(folder)), path.parent, path.name, [])
+
+
+def outcome(obrys, case):
+    try:
+        return round_trip(obrys, case)
+    except subprocess.TimeoutExpired:
+        return Outcome(case.name, "timeout", "", "")
+    except json.JSONDecodeError as error:
+        return Outcome(case.name, "no answer", "", str(error))
+
+
+def copied_cases(cases, keep):
+    """Of folders that nothing may be written into."""
+    for case in cases:
+        place = keep / re.sub(r"[^A-Za-z0-9.]", "_", case.name)[-150:]
+        if not place.exists():
+            subprocess.run(["cp", "-r", str(case.folder), str(place)], check=True)
+        yield Case(case.name, place, case.program, case.options)
+
+
+SAME = ("equal", "done the same")
+
+
+def summary(outcomes):
+    """(programs that run and move, of these equal, done the same)"""
+    run = [o for o in outcomes if o.code == 0 and o.moves > 0]
+    return len(run), sum(o.kind == "equal" for o in run), sum(o.kind == "done the same" for o in run)
+
+
+def share(part, whole):
+    return f"{100 * part / whole:.1f} %" if whole else ""
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("obrys")
     parser.add_argument("--golden")
+    parser.add_argument("--examples")
     parser.add_argument("--programs", nargs="*", default=[])
     parser.add_argument("--list", default="", help="also print the cases of this class or aspect")
     parser.add_argument("--keep")
     parser.add_argument("--only", default="")
+    parser.add_argument("--write", help="file of the tables")
     parser.add_argument("--known", help="file of cases that differ, with why: no other one may, and each of them must")
     arguments = parser.parse_args()
     obrys = str(pathlib.Path(arguments.obrys).resolve())
-    classes, aspects, cases = collections.Counter(), collections.Counter(), []
+    groups = {}
     with tempfile.TemporaryDirectory() as folder:
         keep = pathlib.Path(arguments.keep or folder)
         keep.mkdir(parents=True, exist_ok=True)
-        todo = list(golden_cases(arguments.golden, keep)) if arguments.golden else []
-        for case in program_cases(arguments.programs):
-            place = keep / re.sub(r"[^A-Za-z0-9.]", "_", case.name)[-150:]
-            if not place.exists():
-                subprocess.run(["cp", "-r", str(case.folder), str(place)], check=True)
-            todo.append(Case(case.name, place, case.program, case.options))
-        for case in todo:
-            if arguments.only and arguments.only not in case.name:
-                continue
-            try:
-                kind, aspect, what = round_trip(obrys, case)
-            except subprocess.TimeoutExpired:
-                kind, aspect, what = "timeout", "", ""
-            except json.JSONDecodeError as error:
-                kind, aspect, what = "no answer", "", str(error)
-            classes[kind] += 1
-            aspects[kind, aspect] += 1
-            cases.append((kind, aspect, case.name, what))
-    for kind, aspect, name, what in cases:
-        if arguments.list and arguments.list in (kind, aspect):
-            print(f"{kind} [{aspect}] {name}: {what}")
-    for (kind, aspect), count in sorted(aspects.items(), key=lambda x: -x[1]):
+        goldens = list(golden_cases(arguments.golden, keep)) if arguments.golden else []
+        examples = list(copied_cases(example_cases(arguments.examples), keep)) if arguments.examples else []
+        groups[OWN] = goldens + examples
+        groups[OTHERS] = list(copied_cases(program_cases(arguments.programs), keep))
+        for name, cases in groups.items():
+            groups[name] = [outcome(obrys, c) for c in cases if not arguments.only or arguments.only in c.name]
+    outcomes = [o for group in groups.values() for o in group]
+    for o in outcomes:
+        if arguments.list and arguments.list in (o.kind, o.aspect):
+            print(f"{o.kind} [{o.aspect}] {o.name}: {o.what}")
+    for (kind, aspect), count in collections.Counter((o.kind, o.aspect) for o in outcomes).most_common():
         print(f"{count:6} {kind} {aspect}")
-    equal = classes["equal"] + classes["done the same"]
-    comparable = equal + classes["DIFFERS"] + classes["lost, said"]
-    print(f"{equal} of {comparable} programs that run without a complaint do the same, written anew: "
-          f"{100 * equal / max(comparable, 1):.1f} %; {classes['equal']} say it the same way, too")
-    return held_to(arguments.known, cases) if arguments.known else 0
+    for name, group in groups.items():
+        total, equal, same = summary(group)
+        if total:
+            print(f"{name}: {equal + same} of {total} programs that run without a complaint and move do the same, written "
+                  f"anew: {share(equal + same, total)}; {equal} say it the same way, too")
+    if arguments.write:
+        pathlib.Path(arguments.write).write_text(round_trip_table.page(groups, known_reasons(arguments.known)), encoding="utf-8")
+    return held_to(arguments.known, outcomes) if arguments.known else 0
 
 
-def held_to(known, cases):
+def known_reasons(path):
+    if not path:
+        return {}
+    return dict(line.split(": ", 1) for line in pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+                if line and not line.startswith("#"))
+
+
+def held_to(known, outcomes):
     """0 where exactly the known cases differ."""
-    reasons = dict(line.split(": ", 1) for line in pathlib.Path(known).read_text(encoding="utf-8").splitlines()
-                   if line and not line.startswith("#"))
-    differ = {name: what for kind, _, name, what in cases if kind in ("DIFFERS", "not read again", "no answer", "timeout")}
+    reasons = known_reasons(known)
+    differ = {o.name: o.what for o in outcomes if o.kind in ("DIFFERS", "not read again", "no answer", "timeout")}
     faults = [f"{name} differs: {what}" for name, what in differ.items() if name not in reasons]
-    faults += [f"{name} is said to differ ({why}) and does not" for name, why in reasons.items() if name not in differ]
+    there = {o.name for o in outcomes}
+    faults += [f"{name} is said to differ ({why}) and does not" for name, why in reasons.items()
+               if name not in differ and (name in there or name.endswith(".txt"))]
     print("\n".join(faults))
     return 1 if faults else 0
 

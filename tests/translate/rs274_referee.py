@@ -21,6 +21,8 @@ SECONDS = 10
 KNOWN = {  # cycles of lathes whose start is where rs274's machine stands at first, which nobody knows else
     # … and a length that is compensated in the block of the tool change, by which rs274 moves Z with the next X and Y
     "rs274/LinuxCNC__linuxcnc/nc_files/skeleton.ngc",
+    # … and G70 under compensation, where rs274 first goes to the end of the contour (docs/dialects/linuxcnc.md)
+    "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g70_71_demo.ngc",
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_face_boring.ngc", "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_quadrants.ngc"}
 TOOLS = runner.Setting(tools=tuple((n, n, f"Z{n / 100:.2f} D0.02") for n in range(1, 100)))
 PRINTED = 1e-4  # in the program's unit

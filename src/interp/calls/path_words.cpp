@@ -122,6 +122,7 @@ void set_compensation(Moving& run, Modal m) {
                          : m == Modal::compensation_right_by ? Modal::compensation_right
                                                              : m;
     state.compensation_radius = std::numeric_limits<double>::quiet_NaN();
+    state.compensation_given = given && b.has(Code::offset_d);
     state.compensation_orientation = -1;
     if (m == Modal::compensation_off && run.traits->compensation_holds_move) run.path->switch_off(run);
     if (m == Modal::compensation_off) switch_compensation_off(run);

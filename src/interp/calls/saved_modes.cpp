@@ -99,6 +99,7 @@ void restore_words(Calling& run, const SavedModes& s) {
     if (now.compensation != s.modal.compensation) {
         back(true, s.modal.compensation);
         run.modal.compensation_radius = s.modal.compensation_radius;
+        run.modal.compensation_given = s.modal.compensation_given;
         run.modal.compensation_orientation = s.modal.compensation_orientation;
     }
     restore_lengths(run, s);

@@ -108,7 +108,9 @@ void PathStage::tell_begin(Moving& run, const path::Setting& s) {
     cl::CompensationBegin begin;
     begin.side = s.side == path::Side::left ? cl::CompensationSide::left : cl::CompensationSide::right;
     begin.radius = radius_in_stream(run, s.radius);
-    begin.offset = base::whole<std::uint32_t>(number, 0).value_or(0);
+    begin.given = run.modal.compensation_given;
+    if (begin.given) begin.nose = base::whole<std::uint32_t>(run.modal.compensation_orientation, 0).value_or(0);
+    if (!begin.given) begin.offset = base::whole<std::uint32_t>(number, 0).value_or(0);
     begin.approach = static_cast<cl::Approach>(s.approach);
     begin.sharp = s.corner == path::OuterCorner::intersection;
     begin.normal = plane_normal(run);

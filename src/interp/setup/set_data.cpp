@@ -96,12 +96,12 @@ void set_datum_data(Moving& run, bool from_position) {
     for (std::size_t k = 0; k < 9; ++k) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(k);
         const double unit = stored_unit(run, k);
-        const auto v = axis_word(run, k);
+        const bool v = axis_word(run, k) || step[k] != 0;  // in a turned zero one word moves X and Y of it
         if (v && k < 3) said |= 1U << k, known = known && (!from_position || run.parameters.is_set(n));
         if (from_position)
             run.parameters.add(n, step[k] / unit);
         else if (v)
-            run.parameters.set(n, *v / unit);
+            run.parameters.set(n, *axis_word(run, k) / unit);
         if (from_position && place != active && v) run.parameters.mark_set(n);
     }
     tell_zero(run, number_of_place(place), first, said, known);
