@@ -146,6 +146,9 @@ struct FanucState : State {
 // fanuc_block.cpp
 void read_fanuc_block(FanucState& s, std::uint32_t begin, std::uint32_t end);
 /// The addresses from here to the block's end, put into `addresses`.
+/// `/2 N100`, `N100 /2`.
+void read_head(FanucState& s);
+void note_number(FanucState& s);
 void read_addresses(FanucState& s);
 /// The first one of a letter that nobody has used; null where there is none.
 [[nodiscard]] Address* find_address(FanucState& s, char letter);
