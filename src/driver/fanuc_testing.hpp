@@ -6,7 +6,7 @@
 
 #include "base/number.hpp"
 #include "driver/bare_run_testing.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 
 namespace obrys::driver::testing {
 

@@ -1,6 +1,6 @@
 /// Pieces of a program read anew, as the control reads them in the state in which the run comes to them.
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

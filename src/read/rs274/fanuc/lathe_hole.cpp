@@ -3,7 +3,7 @@
 /// position and R at rapid, to the bottom at feed, back to the initial level; R counts from the initial level in system
 /// A, along X as a radius [-]. On Haas (G81 … G85, G89) R is a coordinate [-].
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -1,7 +1,7 @@
 #pragma once
 /// Test side only: a FANUC or Haas program read, with everything that belongs to it.
 
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 #include "read/rs274/reading.hpp"
 
 namespace obrys::read::rs274::testing {

@@ -5,7 +5,7 @@
 
 #include "base/whole.hpp"
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "read/rs274/fanuc_reading.hpp"
+#include "read/rs274/fanuc/reading.hpp"
 
 namespace obrys::read::rs274 {
 

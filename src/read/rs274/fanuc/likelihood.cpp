@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "base/text.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "program/modal_group.hpp"
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -1,8 +1,8 @@
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 
 #include <algorithm>
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

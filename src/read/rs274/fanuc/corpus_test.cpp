@@ -8,7 +8,7 @@
 #include <map>
 
 #include "base/files_testing.hpp"
-#include "read/rs274/fanuc_reading.hpp"
+#include "read/rs274/fanuc/reading.hpp"
 
 namespace obrys::read::rs274 {
 

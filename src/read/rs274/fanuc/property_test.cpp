@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "read/rs274/fanuc_reading.hpp"
+#include "read/rs274/fanuc/reading.hpp"
 
 namespace obrys::read::rs274 {
 

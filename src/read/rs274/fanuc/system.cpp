@@ -1,6 +1,6 @@
 /// System variables: #3000 stops with an alarm, #5041 is where the tool stands.
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

@@ -1,7 +1,7 @@
 /// Macro statements: what begins with # or a word, and prints. Source: FANUC series 16i operator's manual B-63684EN,
 /// 16; Haas mill operator's manual 96-8000, page 116 (DPRNT).
 
-#include "read/rs274/fanuc_state.hpp"
+#include "read/rs274/fanuc/state.hpp"
 
 namespace obrys::read::rs274 {
 

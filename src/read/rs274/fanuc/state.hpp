@@ -7,7 +7,7 @@
 
 #include "base/function_ref.hpp"
 #include "dialect/rs274/fanuc.hpp"
-#include "read/rs274/fanuc_modes.hpp"
+#include "read/rs274/fanuc/modes.hpp"
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {

@@ -1,4 +1,4 @@
-#include "read/rs274/fanuc_modes.hpp"
+#include "read/rs274/fanuc/modes.hpp"
 
 namespace obrys::read::rs274 {
 
