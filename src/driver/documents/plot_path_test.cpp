@@ -1,4 +1,4 @@
-#include "driver/plot_path.hpp"
+#include "driver/documents/plot_path.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
-#include "driver/plot_difference.hpp"
+#include "driver/documents/plot_difference.hpp"
 
 #include "driver/compare_programs.hpp"
-#include "driver/plot_path.hpp"
+#include "driver/documents/plot_path.hpp"
 
 namespace obrys::driver {
 

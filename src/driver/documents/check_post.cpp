@@ -1,4 +1,4 @@
-#include "driver/check_post.hpp"
+#include "driver/documents/check_post.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "driver/stream_table.hpp"
+#include "driver/documents/stream_table.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "driver/format_file.hpp"
+#include "driver/documents/format_file.hpp"
 
 #include "base/codes.hpp"
 
