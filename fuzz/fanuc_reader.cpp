@@ -1,7 +1,7 @@
 // FANUC and Haas programs: any bytes are read without crash, as mill and as lathe; every span lies inside the text and
 // every number inside its table.
 #include "check_unit.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 
 using namespace obrys;
 

@@ -7,7 +7,7 @@
 #include "read/fusion/read.hpp"
 #include "read/heidenhain/read.hpp"
 #include "read/rs274/acramatic_read.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 #include "read/rs274/nc470_read.hpp"
 #include "read/rs274/read.hpp"
 #include "read/sinumerik/read.hpp"

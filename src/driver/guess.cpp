@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "driver/control.hpp"
-#include "read/rs274/fanuc_read.hpp"
+#include "read/rs274/fanuc/read.hpp"
 
 namespace obrys::driver {
 

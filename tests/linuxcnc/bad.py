@@ -4,7 +4,6 @@
 Each program has one fault (bad_programs.py); obrys has to end with an error whose first place is that line, and to run to
 its end what LinuxCNC accepts. With --referee rs274 itself is held to the lines: it shows the text of the line it read last.
 """
-import argparse
 import pathlib
 import sys
 import tempfile
@@ -62,16 +61,6 @@ def check(bad, path, options):
     return f"{names.get(got, said)}, wanted {names.get(wanted, f'line {wanted}')}"
 
 
-def arguments():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("obrys")
-    parser.add_argument("shared", type=pathlib.Path)
-    parser.add_argument("names", nargs="*")
-    parser.add_argument("-v", action="store_true", dest="verbose")
-    parser.add_argument("--referee", action="store_true")
-    return parser.parse_intermixed_args()
-
-
 def all_programs(options):
     """Our own ones, and those of the corpus where it is at hand."""
     programs = list(BAD)
@@ -84,7 +73,7 @@ def all_programs(options):
 
 
 def main():
-    options = arguments()
+    options = runner.arguments("--referee")
     if options.referee and not runner.REFEREE_HERE:
         print("skipped: needs rs274 of LinuxCNC")
         return 77

@@ -6,7 +6,6 @@ usage: canon.py OBRYS SHARED [-v] [--referee] [NAME...]      exit 77 (skipped) w
 Compared are all lines of standard output: same calls, same order, coordinates as printed; only the counter in front of a line
 is left out. With --referee LinuxCNC's own rs274 is held to the files, which tests this comparison; OBRYS may be "-" then.
 """
-import argparse
 import dataclasses
 import difflib
 import pathlib
@@ -163,18 +162,8 @@ def verdict(case, shown, options):
     return ""
 
 
-def arguments():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("obrys")
-    parser.add_argument("shared", type=pathlib.Path)
-    parser.add_argument("names", nargs="*")
-    parser.add_argument("-v", action="store_true", dest="verbose")
-    parser.add_argument("--referee", action="store_true")
-    return parser.parse_intermixed_args()
-
-
 def main():
-    options = arguments()
+    options = runner.arguments("--referee")
     corpus = options.shared / "corpus"
     if not corpus.is_dir() or (options.referee and not runner.REFEREE_HERE):
         print("skipped: needs ../shared" if not corpus.is_dir() else "skipped: needs rs274 of LinuxCNC")

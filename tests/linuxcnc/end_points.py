@@ -8,7 +8,6 @@ program coordinates, offsets, rotation and tool offset, in mm; it has to agree t
 refuse at the same line. A fault that obrys tells of a line which is never reached, while all calls up to the program's end are
 the same, is no difference: rs274 has only not come to it. With --self rs274 stands in for obrys, which tests this comparison.
 """
-import argparse
 import collections
 import pathlib
 import re
@@ -87,18 +86,8 @@ def programs(options):
                 yield name, path
 
 
-def arguments():
-    parser = argparse.ArgumentParser()
-    parser.add_argument("obrys")
-    parser.add_argument("shared", type=pathlib.Path)
-    parser.add_argument("names", nargs="*")
-    parser.add_argument("-v", action="store_true", dest="verbose")
-    parser.add_argument("--self", action="store_true")
-    return parser.parse_intermixed_args()
-
-
 def main():
-    options = arguments()
+    options = runner.arguments("--self")
     if not (options.shared / "corpus").is_dir() or not runner.REFEREE_HERE:
         print("skipped: needs ../shared" if runner.REFEREE_HERE else "skipped: needs rs274 of LinuxCNC")
         return 77

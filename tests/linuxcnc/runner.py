@@ -2,6 +2,7 @@
 
 A case's tool table, ini values and parameters are data; they are written to a temporary folder that both get.
 """
+import argparse
 import dataclasses
 import os
 import pathlib
@@ -115,3 +116,14 @@ COUNTER = re.compile(r"^ *[0-9]+ (?=N)")
 def calls(text):
     """The printed lines without the counter in front; blank runs and signs of zero stay as they are."""
     return [COUNTER.sub("", line) for line in text.splitlines()]
+
+
+def arguments(flag):
+    """What the checks against the corpus are called with; `flag`: an option of the check's own."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("obrys")
+    parser.add_argument("shared", type=pathlib.Path)
+    parser.add_argument("names", nargs="*")
+    parser.add_argument("-v", action="store_true", dest="verbose")
+    parser.add_argument(flag, action="store_true")
+    return parser.parse_intermixed_args()

@@ -11,7 +11,7 @@
 #include "compare_output.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/keep.hpp"
-#include "driver/plot_difference.hpp"
+#include "driver/documents/plot_difference.hpp"
 #include "milled.hpp"
 #include "session.hpp"
 

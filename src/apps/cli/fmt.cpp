@@ -4,7 +4,7 @@
 
 #include "base/text.hpp"
 #include "commands.hpp"
-#include "driver/format_file.hpp"
+#include "driver/documents/format_file.hpp"
 
 namespace obrys::cli {
 

@@ -4,7 +4,7 @@
 
 #include "base/number.hpp"
 #include "commands.hpp"
-#include "driver/check_post.hpp"
+#include "driver/documents/check_post.hpp"
 #include "driver/translate.hpp"
 #include "milled.hpp"
 #include "post_start.hpp"

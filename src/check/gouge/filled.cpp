@@ -17,8 +17,10 @@
 
 #include "base/parallel.hpp"
 #include "base/whole.hpp"
+#include "check/gouge/filled_depth.hpp"
 #include "check/gouge/filled_known.hpp"
 #include "check/gouge/proof.hpp"
+#include "check/gouge/touching.hpp"
 #include "mesh/narrow.hpp"
 
 namespace obrys::check {
@@ -45,8 +47,6 @@ constexpr int most_steps = 2000;
 constexpr std::size_t proof_cells = 3000;
 constexpr std::size_t most_proofs = 100;
 
-using Cube = std::array<long, 3>;
-
 /// The deepest place of a cube, and how much of the part's surface there is covered.
 struct Covered {
     Cube cube{};
@@ -60,11 +60,6 @@ struct Covered {
 struct Deep {
     Vec3 at;
     std::uint32_t face = 0;
-};
-
-struct FilledDepth {
-    double depth = 0;
-    std::size_t body = 0;  ///< that ends it
 };
 
 class Filled {
@@ -119,39 +114,6 @@ Vec3 middle_of(const mesh::NarrowFace& f) { return (1.0 / 3) * (f.corners[0] + f
 /// Places of a face.
 std::array<Vec3, 4> places_of(const mesh::NarrowFace& f) {
     return {f.corners[0], f.corners[1], f.corners[2], middle_of(f)};
-}
-
-/// How deep a place lies in what is left, at most `enough`; not looked at further where it is no more than `least`.
-/// `first`: the body to ask first.
-FilledDepth depth_at(const milling::Air& air, Vec3 p, double least, double enough, std::size_t first) {
-    FilledDepth d{enough, 0};
-    const auto ask = [&](std::size_t body) {
-        if (const double outside = air.outside(body, p, d.depth); outside < d.depth) d = {outside, body};
-        return d.depth > least;
-    };
-    if (!ask(first) || !ask(0)) return d;
-    for (std::size_t body = 1; body < air.bodies(); ++body)
-        if (body != first && !ask(body)) break;
-    return d;
-}
-
-Vec3 way_out(const milling::Air& air, std::size_t body, Vec3 p) {
-    constexpr double h = 1e-4;  // mm
-    Vec3 way, nearest;
-    double least = HUGE_VAL;
-    for (int k = 0; k < 3; ++k) {
-        std::array<double, 2> at{};
-        for (std::size_t i = 0; i < 2; ++i) {
-            Vec3 q = p;
-            milling::set_component(q, k, milling::component(p, k) + (i == 0 ? -h : h));
-            at[i] = air.outside(body, q);
-            if (at[i] < least) least = at[i], nearest = (1 / h) * (q - p);
-        }
-        milling::set_component(way, k, at[0] - at[1]);
-    }
-    const double size = length(way);
-    // Halfway between two sides of the stock it leads either way.
-    return size > 1e-3 * h ? (1 / size) * way : nearest;
 }
 
 bool Filled::find_faces() {
@@ -351,27 +313,11 @@ FilledPlace Filled::place_of(const std::vector<const Covered*>& group) const {
     return whole;
 }
 
-/// Cubes that touch each other are one place.
 std::vector<mesh::Place> Filled::places(std::vector<mesh::Place>& known) {
     std::vector<mesh::Place> out;
     if (covered_.empty()) return out;
     KnownRest rest(found_, m_.surface, options_.excess, step_, known);
-    std::map<Cube, const Covered*> cubes;
-    for (const Covered& c : covered_) cubes.emplace(c.cube, &c);
-    while (!cubes.empty()) {
-        std::vector<const Covered*> group;
-        std::vector<Cube> next{cubes.begin()->first};
-        while (!next.empty()) {
-            const Cube at = next.back();
-            next.pop_back();
-            const auto here = cubes.find(at);
-            if (here == cubes.end()) continue;
-            group.push_back(here->second);
-            cubes.erase(here);
-            for (long i = -1; i <= 1; ++i)
-                for (long j = -1; j <= 1; ++j)
-                    for (long k = -1; k <= 1; ++k) next.push_back({at[0] + i, at[1] + j, at[2] + k});
-        }
+    for (std::vector<const Covered*>& group : touching(covered_)) {
         if (rest.joins(place_of(group))) continue;
         std::erase_if(group, [&](const Covered* c) { return rest.ends_at(c->top) || !is_rest(*c); });
         if (!group.empty()) out.push_back(place_of(group).place);

@@ -5,6 +5,7 @@
 #include <iterator>
 #include <queue>
 
+#include "check/left/room.hpp"
 #include "check/left/swept_depth.hpp"
 #include "check/left/tiny_lp.hpp"
 
@@ -37,35 +38,6 @@ struct InsideCell {
     bool operator<(const InsideCell& other) const { return bound < other.bound; }
 };
 
-/// A box about a place.
-struct Room {
-    Vec3 at;
-    std::array<Vec3, 3> axes;
-    std::array<std::array<double, 2>, 3> size{};  ///< against and along each
-    [[nodiscard]] std::array<Vec3, 8> corners() const {
-        std::array<Vec3, 8> all;
-        for (std::size_t i = 0; i < all.size(); ++i) {
-            all[i] = at;
-            for (std::size_t k = 0; k < 3; ++k) {
-                const bool up = (i >> k & 1) != 0;
-                all[i] = all[i] + (up ? size[k][1] : -size[k][0]) * axes[k];
-            }
-        }
-        return all;
-    }
-};
-
-/// Axes of a room: `first` and one as near to `second` as can be.
-std::array<Vec3, 3> axes_of(Vec3 first, Vec3 second) {
-    Vec3 next = second - geom::dot(second, first) * first;
-    if (!(geom::length(next) > 0.1)) {
-        const milling::Orientation any = milling::orientation_of(first);
-        return {first, any.x, any.y};
-    }
-    next = (1 / geom::length(next)) * next;
-    return {first, next, geom::cross(first, next)};
-}
-
 class PlaneSearch {
 public:
     PlaneSearch(const LeftBody& body, const InsideSearch& s);
@@ -85,10 +57,6 @@ private:
     [[nodiscard]] double way_out(const LeftCut& cut, Vec3 p, Vec3 along) const;
     [[nodiscard]] StockPlane nearest_face(const LeftCut& cut, Vec3 p) const;
     [[nodiscard]] Vec3 slope(const LeftCut& cut, Vec3 p) const;
-    template <class Holds>
-    void grow(Room& room, std::size_t axis, std::size_t side, double most, const Holds& holds) const;
-    template <class Holds>
-    void widen(Room& room, double first, double most, const Holds& holds) const;
     [[nodiscard]] Room room_in(const LeftCut& cut, Vec3 p) const;
     [[nodiscard]] double threshold() const { return std::max(s_.allowed, (1 + 3 * good_enough) * best_.depth); }
 
@@ -257,55 +225,17 @@ StockPlane PlaneSearch::nearest_face(const LeftCut& cut, Vec3 p) const {
     return best;
 }
 
-/// A side as far out as it may be.
-template <class Holds>
-void PlaneSearch::grow(Room& room, std::size_t axis, std::size_t side, double most, const Holds& holds) const {
-    double& size = room.size[axis][side];
-    double in = size, out = most;
-    size = most;
-    if (holds(room)) return;
-    constexpr int halvings = 40;
-    for (int i = 0; i < halvings && out - in > least_share * s_.thin; ++i) {
-        size = 0.5 * (in + out);
-        (holds(room) ? in : out) = size;
-    }
-    size = in;
-}
-
-/// All sides but the first one's, in turn and by and by, so that none takes the room of the others.
-template <class Holds>
-void PlaneSearch::widen(Room& room, double first, double most, const Holds& holds) const {
-    constexpr std::array<std::array<std::size_t, 2>, 5> sides{{{0, 0}, {1, 0}, {1, 1}, {2, 0}, {2, 1}}};
-    const auto next = [&](double size) { return std::min(most, std::max(first, 2 * size)); };
-    bool any = true;
-    for (int round = 0; round < 30 && any; ++round) {
-        any = false;
-        for (const auto& [k, side] : sides) {
-            double& size = room.size[k][side];
-            const double was = size;
-            if (was >= most) continue;
-            size = next(was);
-            if (holds(room))
-                any = true;
-            else
-                size = was;
-        }
-    }
-    for (const auto& [k, side] : sides)
-        if (const double size = room.size[k][side]; size < most) grow(room, k, side, next(size), holds);
-}
-
 /// A box as large as can be within a cut, flush with the face that is nearest.
 Room PlaneSearch::room_in(const LeftCut& cut, Vec3 p) const {
     const auto holds = [&](const Room& r) { return cut.holds(r.corners(), s_.thin); };
     const StockPlane face = nearest_face(cut, p);
-    const double all = 4 * size_, to = std::min(all, face.at);
+    const double all = 4 * size_, to = std::min(all, face.at), fine = least_share * s_.thin;
     const std::array<Vec3, 3> axes = axes_of(face.out, cut.axis());
     const auto grown = [&](double ahead) {
         Room room{p, axes, {}};
-        grow(room, 0, 1, ahead, holds);
-        widen(room, std::max(least_share * s_.thin, to / 64), all, holds);
-        grow(room, 0, 1, all, holds);
+        grow(room, 0, 1, ahead, fine, holds);
+        widen(room, std::max(fine, to / 64), all, fine, holds);
+        grow(room, 0, 1, all, fine, holds);
         return room;
     };
     Room flush = grown(to);

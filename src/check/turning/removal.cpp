@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "check/turning/beside.hpp"
 #include "check/turning/turning_tool.hpp"
 #include "cl/totals.hpp"
 #include "cl/unknown_tool.hpp"
@@ -31,38 +32,6 @@ std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::To
             return "the list has it with edge = " + std::to_string(t.edge) +
                    ": add a [[tool]] with edge = " + std::to_string(wanted.edge) + ", or correct the program";
     return "add it to the job file, or give the tool file of the machine";
-}
-
-/// Whether everything between the radii a + low and b + high, of either sign, lies beside the stock.
-bool beside_in_x(double a, double b, const Box& tool, const Box& stock) {
-    if (!std::isfinite(a) || !std::isfinite(b)) return false;
-    const double low = std::min(a, b) + tool.min_x, high = std::max(a, b) + tool.max_x;
-    const double nearest = low >= 0 ? low : high <= 0 ? -high : 0;
-    return nearest >= stock.max_x || std::max(-low, high) <= stock.min_x;
-}
-
-/// How far a place lies beyond the stock's ends.
-double beyond_in_z(double z, const Box& stock) { return std::max({z - stock.max_z, stock.min_z - z, 0.0}); }
-
-/// A rapid that comes no nearer to the stock, in X and in Z, and ends in front of it, behind it or clear of its side: a
-/// way to where tools are changed. A place that is not known is home, away from the stock.
-bool leads_away(const Move& move, const Box& stock) {
-    constexpr double same = 1e-6, clear = 10;  // mm
-    const geom::Vec3 from = move.from, to = move.to;
-    const bool home_x = std::isnan(to.x), home_z = std::isnan(to.z);
-    if (!move.rapid || (std::isnan(from.x) && !home_x) || (std::isnan(from.z) && !home_z)) return false;
-    const double before = beyond_in_z(from.z, stock), behind = beyond_in_z(to.z, stock);
-    if ((!home_x && std::abs(to.x) < std::abs(from.x) - same) || (!home_z && behind < before - same)) return false;
-    if (home_x || home_z || std::abs(to.z - from.z) <= same) return true;
-    const bool passes =
-        (from.z >= stock.max_z && to.z <= stock.min_z) || (from.z <= stock.min_z && to.z >= stock.max_z);
-    if (behind > 0 && !passes) return true;
-    return std::abs(to.x) >= stock.max_x + clear && (!passes || std::abs(from.x) >= stock.max_x + clear);
-}
-
-bool beside_in_z(double a, double b, const Box& tool, const Box& stock) {
-    return (a + tool.min_z >= stock.max_z && b + tool.min_z >= stock.max_z) ||
-           (a + tool.max_z <= stock.min_z && b + tool.max_z <= stock.min_z);
 }
 
 }  // namespace

@@ -31,6 +31,22 @@ void flush_pending(State& s);
 /// G90, G91: `coordinates`: some were read in this block already; false where it acts from the next block on only.
 void dimension(State& s, bool incremental, std::uint32_t begin, bool coordinates);
 
+inline constexpr std::string_view pole_letters = "IJK";
+
+enum class MotionFamily : std::uint8_t {
+    unknown,
+    straight,
+    arc,
+    tangential,
+    polar_straight,
+    polar_arc,
+    polar_tangential
+};
+[[nodiscard]] MotionFamily family_of(int motion);
+/// I J K and G29: the pole, from before the block's motion.
+void read_pole(State& s);
+/// The block behind G27.
+void depart(State& s);
 /// iso_words.cpp: positions, tool, spindle, feed, M functions.
 void read_iso_words(State& s, const IsoBlock& b);
 /// The number behind G, P, D or N at the scanner, which stands on the letter; -1 and a complaint where there is none.

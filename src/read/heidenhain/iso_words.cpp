@@ -10,18 +10,6 @@ namespace obrys::read::heidenhain {
 
 using program::Reference;
 
-namespace {
-
-enum class MotionFamily : std::uint8_t {
-    unknown,
-    straight,
-    arc,
-    tangential,
-    polar_straight,
-    polar_arc,
-    polar_tangential
-};
-
 MotionFamily family_of(int motion) {
     switch (motion) {
         case 0:
@@ -40,6 +28,8 @@ MotionFamily family_of(int motion) {
     }
 }
 
+namespace {
+
 Modal modal_of(int motion) {
     switch (motion) {
         case 0:
@@ -56,7 +46,7 @@ Modal modal_of(int motion) {
     }
 }
 
-constexpr std::string_view axis_letters = "XYZABCUVW", pole_letters = "IJK";
+constexpr std::string_view axis_letters = "XYZABCUVW";
 
 /// G codes that hold for the block's words wherever they stand in it. True where one says how the tool moves.
 bool take_modal_codes(State& s, const IsoBlock& b) {
@@ -68,37 +58,6 @@ bool take_modal_codes(State& s, const IsoBlock& b) {
         }
     }
     return moves;
-}
-
-/// I J K and G29: the pole, from before the block's motion.
-void read_pole(State& s) {
-    const std::uint32_t from = s.in.at();
-    s.build.statement(StatementKind::block, s.block);
-    s.build.modal(Modal::pole_given, s.block, from);
-    std::optional<Reference> reference;  // that of a G90 or G91 in this very block
-    while (!s.failed && !s.in.at_end()) {
-        const std::uint32_t begin = s.in.at();
-        const char c = base::upper(s.in.peek());
-        const auto k = pole_letters.find(c);
-        s.in.step();
-        if (k != std::string_view::npos) {
-            coordinate_word(s, static_cast<Code>(static_cast<std::size_t>(Code::x) + k), begin, reference);
-        } else if (c == 'G') {
-            const int n = s.in.integer();
-            if (n == 90 || n == 91) reference = n == 91 ? Reference::incremental : Reference::absolute;
-        } else if (base::is_letter(c)) {
-            while (base::is_letter(s.in.peek())) s.in.step();
-            if (s.in.peek() == '"')
-                static_cast<void>(read_text(s));
-            else
-                static_cast<void>(read_value(s));
-        } else if (c == '.' || base::is_digit(c)) {  // what is left of a number that is none
-            s.in.go_to(begin);
-            fail_here(s, "unexpected " + here(s));
-        }
-    }
-    s.build.end_statement(s.in.at());
-    if (!s.failed) s.in.go_to(from);
 }
 
 /// G07: this block alone, along its axis; with G43 or G44 of this block or one before it longer or shorter.
@@ -285,23 +244,6 @@ private:
     std::optional<Reference> behind_;  ///< G90 or G91 came behind a coordinate: what holds for the ones that follow
 };
 
-/// The block behind G27.
-void depart(State& s) {
-    const ExprId radius = std::exchange(s.iso.departure, program::no_expr);
-    if (radius == program::no_expr || s.failed) return;
-    if (s.iso.departure_skip != s.build.skip())
-        return fail(s, s.block, "G27 and the block behind it are not skipped together", "write / before both");
-    const MotionFamily family = family_of(s.iso.motion);
-    if (family != MotionFamily::straight && family != MotionFamily::polar_straight)
-        return fail(s, s.block, "a straight block is due behind G27", "G00 or G01 to the point off the contour");
-    const ExprId feed = std::exchange(s.iso.departure_feed, program::no_expr);
-    if (feed != program::no_expr) s.build.expression(Code::corner_feed, feed, s.block, s.in.at());
-    const bool rapid = s.iso.motion == 0 || s.iso.motion == 10;  // G00, G10: all of it, as DEP with FMAX
-    if (rapid && feed == program::no_expr) s.build.modal(Modal::rapid_block, s.block, s.in.at());
-    add_smooth(s, true, radius, s.block);
-    s.last_path = program::no_target;  // no corner may follow
-}
-
 /// Nothing but a pole stands in the block.
 bool is_pole_alone(const IsoBlock& b) {
     constexpr std::uint32_t own =
@@ -312,26 +254,6 @@ bool is_pole_alone(const IsoBlock& b) {
 }
 
 }  // namespace
-
-void coordinate_word(State& s, Code code, std::uint32_t begin, std::optional<Reference> reference) {
-    if (!reference || *reference == Reference::incremental) return value_word(s, code, begin, reference.has_value());
-    const std::uint32_t from = s.in.at();
-    const Value v = read_value(s);
-    if (!v.found) {
-        s.in.go_to(from);
-        return value_word(s, code, begin);  // which complains
-    }
-    s.build.expression(code, s.build.with_reference(*reference, as_expr(s, v), v.begin, v.end), begin, v.end);
-}
-
-int read_code(State& s) {
-    const std::uint32_t begin = s.in.at();
-    const std::string letter(1, base::upper(s.in.peek()));
-    s.in.step();
-    const int n = s.in.integer();
-    if (n < 0) fail(s, begin, letter + " needs the whole number of a function");
-    return n;
-}
 
 void read_iso_words(State& s, const IsoBlock& b) {
     const bool given = take_modal_codes(s, b);

@@ -152,7 +152,16 @@ void read_program_call(State& s, std::string_view behind, std::string_view suffi
 void read_cycle_block(State& s);    ///< cycle.cpp: CYCL DEF, CYCL CALL
 void read_global_values(State& s);  ///< cycle.cpp: GLOBAL DEF
 bool read_cycle_line(State& s);     ///< a further line of the open cycle; false where it is none
-void read_named(State& s);          ///< Q200=2 … of the open cycle
+/// Q200=2 of the named form; false where none stands here.
+[[nodiscard]] bool read_parameter_line(State& s);
+// The following ones: cycle_names.cpp
+void read_name_word(State& s);  ///< a word of the cycle's name, in whatever language
+/// The words in front of a value: `SET UP`, `V.ZEIT`, `HSC-MODE:`.
+[[nodiscard]] std::string read_keyword(State& s);
+void read_names(State& s);  ///< labels of contours and names of programs
+void read_program_name(State& s);
+[[nodiscard]] ExprId read_sense(State& s);  ///< DR+ and DR-: the sign alone
+void read_named(State& s);                  ///< Q200=2 … of the open cycle
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);

@@ -5,54 +5,49 @@
 #include <vector>
 
 #include "base/diagnostic.hpp"
-#include "program/tree_text_testing.hpp"
+#include "program/read_text_testing.hpp"
 #include "read/rs274/read.hpp"
 
 namespace obrys::read::rs274::testing {
 
-using Reader = std::vector<program::Unit> (*)(std::uint32_t, const base::Sources&, program::Names&, base::Diagnostics&);
+using Reader = std::vector<program::Unit> (*)(std::uint32_t,
+                                              const base::Sources &,
+                                              program::Names &,
+                                              base::Diagnostics &);
 
-struct Reading {
-    explicit Reading(std::string text, std::string name = "test.ngc", Reader reader = read_linuxcnc) {
-        file = sources.add(std::move(name), std::move(text), base::BlockNumbers::n_word);
-        units = reader(file, sources, names, diagnostics);
-    }
-    [[nodiscard]] const program::Unit& unit(std::size_t i = 0) const { return units[i]; }
-    [[nodiscard]] std::string tree(std::size_t i = 0) const {
-        return program::testing::TreeText(units[i], names).all();
-    }
-    /// All complaints as they are printed.
-    [[nodiscard]] std::string messages() const {
-        std::string out;
-        for (const base::Diagnostic& d : diagnostics.all()) out += base::render(d, sources);
-        return out;
-    }
-    /// line:column text of the first complaint; empty where there is none.
-    [[nodiscard]] std::string first_message() const {
-        for (const base::Diagnostic& d : diagnostics.all()) {
-            const base::Position at = sources.position(d.where);
-            return std::to_string(at.line) + ":" + std::to_string(at.column) + " " + d.text;
-        }
-        return {};
-    }
+struct Reading : program::testing::ReadText {
+  explicit Reading(std::string text, std::string name = "test.ngc",
+                   Reader reader = read_linuxcnc) {
+    file = sources.add(std::move(name), std::move(text),
+                       base::BlockNumbers::n_word);
+    units = reader(file, sources, names, diagnostics);
+  }
+  [[nodiscard]] const program::Unit &unit(std::size_t i = 0) const {
+    return units[i];
+  }
+  [[nodiscard]] std::string tree(std::size_t i = 0) const {
+    return tree_of(units[i]);
+  }
+  [[nodiscard]] std::string messages() const { return rendered(); }
 
-    base::Sources sources;
-    program::Names names;
-    base::Diagnostics diagnostics;
-    std::uint32_t file = 0;
-    std::vector<program::Unit> units;
+  std::vector<program::Unit> units;
 };
 
-/// The only statement's text form, without its number; complaints instead where there are any.
-inline std::string one(const std::string& line) {
-    const Reading r(line + "\n");
-    if (!r.first_message().empty()) return r.first_message();
-    return r.unit().statements.size() == 1 ? program::testing::TreeText(r.unit(), r.names).statement(0) : r.tree();
+/// The only statement's text form, without its number; complaints instead where
+/// there are any.
+inline std::string one(const std::string &line) {
+  const Reading r(line + "\n");
+  if (!r.first_message().empty())
+    return r.first_message();
+  return r.unit().statements.size() == 1
+             ? program::testing::TreeText(r.unit(), r.names).statement(0)
+             : r.tree();
 }
 
 /// A modal word as TreeText shows it.
 inline std::string m(program::Modal modal, int number = 0) {
-    return "m" + std::to_string(static_cast<int>(modal)) + (number != 0 ? "." + std::to_string(number) : "");
+  return "m" + std::to_string(static_cast<int>(modal)) +
+         (number != 0 ? "." + std::to_string(number) : "");
 }
 
-}  // namespace obrys::read::rs274::testing
+} // namespace obrys::read::rs274::testing
