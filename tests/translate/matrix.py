@@ -22,7 +22,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import round_trip  # noqa: E402
 
-TIMEOUT = 120
+TIMEOUT = 300
 CONTROLS = ("heidenhain-itnc530", "sinumerik-840d", "fanuc", "haas", "linuxcnc", "acramatic-2100", "apt-cl")
 TARGETS = ("heidenhain-itnc530", "heidenhain-iso", "sinumerik-840d", "fanuc", "haas", "linuxcnc", "acramatic-2100", "canon")
 CORPUS = {"heidenhain-itnc530": ("klartext", ".h"), "sinumerik-840d": ("sinumerik", ".mpf .spf .arc"), "fanuc": ("gcode", ".nc .cnc .tap .txt .eia .ncf"),

@@ -61,7 +61,7 @@ double pitch_of_thread(const Reckoning& run, double pitch, const geom::Vec3& fro
 }
 
 /// G33.1 has no sign for the hand: the spindle that turns backwards on the way in cuts a left-hand thread.
-int hand_of_spindle(const Moving& run, const geom::Vec3& from, const geom::Vec3& to) {
+int hand_of_spindle(const Reckoning& run, const geom::Vec3& from, const geom::Vec3& to) {
     if (run.env.machine.kind != shop::MachineKind::mill) return 1;
     const geom::Vec3 way = run.frame_is_identity ? to - from : geom::apply_direction(run.frame, to - from);
     const bool backwards = run.spindle.direction < 0;
