@@ -9,6 +9,13 @@ namespace {
 /// the one that was meant.
 constexpr std::size_t longest_wait = 1000;
 
+/// M30 of a program in which nothing turns or flows any more: one without it ends there as well.
+bool ends_quietly(const Item& item) {
+    const auto* stop = std::get_if<cl::Stop>(&item.step);
+    if (stop == nullptr || stop->kind != cl::StopKind::end || !item.holding) return false;
+    return item.holding->spindle.direction == 0 && item.holding->coolant == cl::Coolant{};
+}
+
 }  // namespace
 
 void ItemPairs::place(std::size_t side, std::size_t moves, std::size_t settled, std::size_t piece) {
@@ -27,7 +34,7 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
         for (Side& s : sides_) ++s.next, s.at.pop_front();
     }
     for (const std::size_t side : {0U, 1U})
-        if (!over_ && is_lone(side, reached)) add_lone(side, found);
+        if (!over_ && is_lone(side, reached) && !(reached.ended && is_quiet_end(side))) add_lone(side, found);
     if (over_) drop();
 }
 
@@ -36,6 +43,12 @@ bool ItemPairs::is_lone(std::size_t side, const Reached& reached) const {
     if (s.at.empty() || !other.at.empty()) return false;
     const bool long_ago = reached.piece - s.at.front() > longest_wait || s.at.size() > longest_wait;
     return reached.ended || (reached.here[1 - side] && long_ago);
+}
+
+/// Nothing else stands behind it.
+bool ItemPairs::is_quiet_end(std::size_t side) const {
+    const Side& s = sides_[side];
+    return s.at.size() == 1 && ends_quietly(s.head());
 }
 
 void ItemPairs::add_lone(std::size_t side, Found& found) {

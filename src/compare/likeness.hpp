@@ -28,7 +28,8 @@ public:
 
     /// Turned by the same about the same side: a sweep about the other side of the axis is the same with its sign.
     [[nodiscard]] bool turn(const geom::Vec3& n, double s, const geom::Vec3& m, double r, double radius) const {
-        const double allowed = t_.length / std::max(radius, t_.length) + 1e-9;
+        constexpr double ends = 2;  // each of them may lie so far beside
+        const double allowed = ends * t_.length / std::max(radius, t_.length) + 1e-9;
         return near(s * n, r * m, allowed);
     }
 

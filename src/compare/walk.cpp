@@ -1,5 +1,7 @@
 #include "compare/walk.hpp"
 
+#include <cmath>
+
 namespace obrys::compare {
 
 namespace {
@@ -11,6 +13,18 @@ std::string with_axes(const Move& m) {
     std::string out = words(m.step);
     for (const cl::Axis& axis : m.axes) out += ", " + words(axis);
     return out;
+}
+
+bool is_rigid_tap(const cl::Step& step) {
+    const auto* thread = std::get_if<cl::Thread>(&step);
+    return thread != nullptr && thread->rigid_tap;
+}
+
+/// Coupled to the way as a tap is, the spindle turns as the sign of the pitch says, whichever way it turned before, or
+/// held as some controls want it before a tap.
+bool may_tap_alike(const cl::Spindle& a, const cl::Spindle& b) {
+    const auto ready = [](const cl::Spindle& s) { return s.direction != 0 || (s.held && !std::isnan(*s.held)); };
+    return ready(a) && ready(b) && (a.direction != b.direction || a.held != b.held);
 }
 
 /// Zeros that controls call by the same numbers: G54 to G59, SINUMERIK's others, presets, FANUC's G54.1 P; 0: none.
@@ -139,7 +153,10 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     };
     const bool feeds = !cl::is_rapid(a.step) && !std::holds_alternative<cl::Thread>(a.step);
     if (feeds) held(Aspect::feed, h.feed, k.feed);
-    held(Aspect::spindle, h.spindle, k.spindle);
+    cl::Spindle other = k.spindle;
+    const bool taps = is_rigid_tap(a.step) && is_rigid_tap(b.step) && may_tap_alike(h.spindle, other);
+    if (taps) other.direction = h.spindle.direction, other.held = h.spindle.held;
+    held(Aspect::spindle, h.spindle, other);
     held(Aspect::coolant, h.coolant, k.coolant);
     held(Aspect::tool, h.tool, k.tool);
     const bool as_long =
@@ -156,7 +173,7 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     if (h.path.has_value() != k.path.has_value())
         to.add(Aspect::tolerance, &a, &b, number(),
                h.path ? words(*h.path) + ", which the other does not say" : "the other says " + words(*k.path));
-    const bool all_looked_at = (feeds || like(h.feed, k.feed)) && (as_long || counts);
+    const bool all_looked_at = !taps && (feeds || like(h.feed, k.feed)) && (as_long || counts);
     if (all_looked_at) last_a_ = a.holding, last_b_ = b.holding;
 }
 

@@ -146,6 +146,28 @@ void leave_out(write::Post& post, const UsedForm& form) {
     forms.erase(forms.begin() + static_cast<std::ptrdiff_t>(*form.form));
 }
 
+/// What was written compensates radii, and something of it runs otherwise or is lost: the tool's path may stand there
+/// instead.
+bool may_go_by_tool_path(const Settled& settled) {
+    const std::vector<Ledger::Entry>& entries = settled.translated.ledger.entries();
+    const bool compensates = std::any_of(entries.begin(), entries.end(), [](const Ledger::Entry& e) {
+        return e.note.fate == write::Fate::mapped && e.note.what == write::radius_compensation;
+    });
+    return compensates && (settled.proved.differs || settled.translated.ledger.has_lost());
+}
+
+/// The post without its words of radius compensation and of ways onto contours.
+write::Post by_tool_path(write::Post post) {
+    using write::Command;
+    const auto clear = [&](Command first, Command last) {
+        for (auto c = static_cast<std::size_t>(first); c <= static_cast<std::size_t>(last); ++c)
+            post.commands[c].clear();
+    };
+    clear(Command::compensation_left, Command::compensation_off);
+    clear(Command::onto_tangent_line, Command::off_arc_and_line);
+    return post;
+}
+
 }  // namespace
 
 Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
@@ -159,6 +181,15 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
         out.proved = hold_against(out.translated, other, request, session, tolerance);
     };
     write::Post less = post;
+    if (!once && may_go_by_tool_path(out)) {
+        const std::optional<std::size_t> at = differs_at(out.proved);
+        const bool lost = out.translated.ledger.has_lost();
+        less = by_tool_path(post);
+        by(less);
+        const std::optional<std::size_t> now = differs_at(out.proved);
+        const bool is_better = (!now || (at && *now > *at)) && (lost || !out.translated.ledger.has_lost());
+        if (!is_better) by(less = post);
+    }
     for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
         const std::optional<std::size_t> at = differs_at(out.proved);
         const UsedForm* form = at ? form_before(out.translated, *at, tolerance.length) : nullptr;

@@ -28,9 +28,11 @@ std::string without_blanks(std::string name) {
 
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
-    if (post && post->staircase && s.job.machine.kind == shop::MachineKind::lathe) {
+    const bool for_mills = post && (post->for_mills_alone || post->staircase);
+    if (for_mills && s.job.machine.kind == shop::MachineKind::lathe) {
         complain(s.diagnostics, codes::job_value, {file, 0, 0},
-                 "this post is for mills that move one axis at a time, and the machine turns");
+                 std::string("this post is for mills") + (post->staircase ? " that move one axis at a time" : "") +
+                     ", and the machine turns");
         return std::nullopt;
     }
     if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;

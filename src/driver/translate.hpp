@@ -99,7 +99,8 @@ struct Settled {
 };
 /// Runs the main program, writes it and proves it. A cycle of the target's control that runs otherwise than the
 /// program's (other ways back, another machine's parameters) is left out, and all that it was for is written by the
-/// post's next form or by its moves. What is expanded, lost or otherwise is added to the session's diagnostics.
+/// post's next form or by its moves; radius compensation that the target makes otherwise (another way onto the contour,
+/// other corners) is left out for the tool's path. What is expanded, lost or otherwise is added to the session's diagnostics.
 [[nodiscard]] Settled translate(Session& session, const write::Post& post, const Request& request,
                                 const TranslateOptions& options, const compare::Tolerance& tolerance);
 

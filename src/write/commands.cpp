@@ -21,6 +21,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::thread_rising, "motion", "thread-rising", "motion.thread-rising"},
     {Command::thread_falling, "motion", "thread-falling", "motion.thread-falling"},
     {Command::tap, "motion", "tap", "motion.tap"},
+    {Command::tap_back, "motion", "tap-back", "motion.tap-back"},
     {Command::seek_contact, "motion", "seek-contact", "motion.seek-contact"},
     {Command::seek_contact_or_end, "motion", "seek-contact-or-end", "motion.seek-contact-or-end"},
     {Command::seek_release, "motion", "seek-release", "motion.seek-release"},

@@ -22,6 +22,7 @@ enum class Command : std::uint8_t {
     thread_rising,  ///< whose pitch grows with every revolution
     thread_falling,
     tap,
+    tap_back,      ///< its way out of the hole, where that is a word of its own
     seek_contact,  ///< by a probe: to where it touches
     seek_contact_or_end,
     seek_release,

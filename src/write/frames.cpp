@@ -132,25 +132,75 @@ void Frames::take(std::vector<cl::FramePart> parts) {
     mirrors_ = geom::determinant(all) < 0;
 }
 
-std::vector<FrameStep> Frames::clear(const cl::Frame& wanted) {
+namespace {
+
+/// Whether the part is there without words of its own: what the selected zero has besides its place comes with its
+/// selection. Where it shifts, it may be another tool whose length is compensated still, which needs the same words of
+/// lengths.
+bool comes_with_zero(const cl::FramePart& part, const Post& post) {
+    if (part.kind != cl::FrameKind::datum) return false;
+    return post.has(Command::length_on) || !is_identity(part.frame.linear);
+}
+
+}  // namespace
+
+std::vector<FrameStep> Frames::clear(const cl::Frame& wanted, const Post& post) {
     std::vector<FrameStep> steps;
     for (std::size_t i = parts_.size(); i-- > 0;)
         if (const auto c = commands_of(parts_[i].kind)) steps.push_back({c->reset, {}});
     std::vector<cl::FramePart> stays;
-    if (!wanted.parts.empty() && wanted.parts.front().kind == cl::FrameKind::datum)
-        stays.push_back(wanted.parts.front());
+    if (!wanted.parts.empty() && comes_with_zero(wanted.parts.front(), post)) stays.push_back(wanted.parts.front());
+    wanted_ = stays;
     take(std::move(stays));
     return steps;
 }
 
-std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& wanted, const Post& post) {
+namespace {
+
+/// Whether the words of the post say where a turn, a mirror or factors have their centre.
+bool says_centre(const Template& text) {
+    for (const Value v : {Value::centre_x, Value::centre_y, Value::centre_z, Value::shift_x, Value::shift_y})
+        if (says(text, index_of(v))) return true;
+    return false;
+}
+
+/// The parts as the post has words for them: what turns about another place than the zero, where its words say no
+/// centre, turns about a zero that has been shifted there.
+std::vector<cl::FramePart> sayable(const std::vector<cl::FramePart>& parts, const Post& post) {
+    std::vector<cl::FramePart> out;
+    for (cl::FramePart p : parts) {
+        const auto commands = commands_of(p.kind);
+        const bool about_zero = p.frame.origin == geom::Vec3{};
+        const bool is_place = p.kind == cl::FrameKind::shift || p.kind == cl::FrameKind::datum;
+        if (is_place || !commands || about_zero || says_centre(post[commands->set])) {
+            out.push_back(std::move(p));
+            continue;
+        }
+        const bool shifted = !out.empty() && out.back().kind == cl::FrameKind::shift;
+        if (!shifted) out.push_back({cl::FrameKind::shift, {}});
+        out.back().frame.origin = out.back().frame.origin + p.frame.origin;
+        p.frame.origin = {};
+        out.push_back(std::move(p));
+    }
+    return out;
+}
+
+/// A control has one word for each kind.
+bool has_twice(const std::vector<cl::FramePart>& parts, cl::FrameKind kind) {
+    return std::count_if(parts.begin(), parts.end(), [&](const cl::FramePart& p) { return p.kind == kind; }) > 1;
+}
+
+}  // namespace
+
+std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& frame, const Post& post) {
     Values values;
     geom::Frame all;
+    cl::Frame wanted{sayable(frame.parts, post)};
+    if (wanted.parts.size() != frame.parts.size() && has_twice(wanted.parts, cl::FrameKind::shift)) return std::nullopt;
     for (const cl::FramePart& p : wanted.parts) {
         all = all * p.frame;
         const auto commands = commands_of(p.kind);
-        // What the selected zero has besides its place comes with its selection.
-        if (!commands && p.kind == cl::FrameKind::datum) continue;
+        if (comes_with_zero(p, post)) continue;
         if (!commands || !post.has(commands->set) || !post.has(commands->reset) || !frame_values(p, values))
             return std::nullopt;
     }
@@ -166,7 +216,8 @@ std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& wanted, c
         if (const auto c = commands_of(parts_[i].kind)) steps.push_back({c->reset, {}});
     for (std::size_t i = common; i < wanted.parts.size(); ++i)
         if (const auto c = commands_of(wanted.parts[i].kind)) steps.push_back({c->set, wanted.parts[i]});
-    take(wanted.parts);
+    take(std::move(wanted.parts));
+    wanted_ = frame.parts;
     return steps;
 }
 

@@ -19,11 +19,12 @@ struct FrameStep {
 /// The frame that the text has set so far.
 class Frames {
 public:
-    /// Commands that lead to `wanted`; nothing, and no frame is in force any more, where the post has none for a part.
-    [[nodiscard]] std::optional<std::vector<FrameStep>> lead_to(const cl::Frame& wanted, const Post& post);
+    /// Commands that lead to `frame`; nothing, and no frame is in force any more, where the post has none for a part.
+    [[nodiscard]] std::optional<std::vector<FrameStep>> lead_to(const cl::Frame& frame, const Post& post);
     /// Commands that end all parts; what the selected zero has besides its place (of `wanted`) stays.
-    [[nodiscard]] std::vector<FrameStep> clear(const cl::Frame& wanted);
-    [[nodiscard]] const std::vector<cl::FramePart>& parts() const { return parts_; }
+    [[nodiscard]] std::vector<FrameStep> clear(const cl::Frame& wanted, const Post& post);
+    /// As the stream has them; they may be written in other words.
+    [[nodiscard]] const std::vector<cl::FramePart>& parts() const { return wanted_; }
 
     /// Workpiece frame -> programmed; a coordinate that nobody knows makes those unknown that depend on it.
     [[nodiscard]] geom::Vec3 programmed(const geom::Vec3& point) const;
@@ -34,7 +35,8 @@ public:
 private:
     void take(std::vector<cl::FramePart> parts);
 
-    std::vector<cl::FramePart> parts_;
+    std::vector<cl::FramePart> wanted_;
+    std::vector<cl::FramePart> parts_;  ///< as they are written
     geom::Frame into_;
     bool mirrors_ = false;
 };

@@ -11,6 +11,9 @@
 
 namespace obrys::write {
 
+/// What notes call it.
+inline constexpr std::string_view radius_compensation = "radius compensation";
+
 using base::Fate;
 
 /// A cycle, a special function or a call of the program, and what became of it.

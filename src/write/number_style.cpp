@@ -7,6 +7,11 @@
 
 namespace obrys::write {
 
+double as_written(double value, const NumberStyle& style) {
+    const double steps = std::pow(10.0, style.decimals) * style.factor;
+    return std::round(value * steps) / steps;
+}
+
 bool append_number(std::string& out, double value, const NumberStyle& style) {
     if (std::isinf(value) && value > 0 && !style.at_rapid.empty()) {
         out += style.at_rapid;

@@ -18,6 +18,9 @@ struct NumberStyle {
     std::string at_rapid{};  ///< what stands for an infinite value ("MAX"); empty: it cannot be written
 };
 
+/// The value that the written number stands for.
+[[nodiscard]] double as_written(double value, const NumberStyle& style);
+
 /// Appends the number; false, and nothing is appended, where the word cannot hold it.
 [[nodiscard]] bool append_number(std::string& out, double value, const NumberStyle& style);
 

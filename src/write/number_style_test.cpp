@@ -50,5 +50,11 @@ TEST(NumberStyle, WhatAWordCannotHoldIsRefused) {
     EXPECT_EQ(written(-INFINITY, feed), "no");
 }
 
+TEST(NumberStyle, TheValueThatIsWritten) {
+    EXPECT_DOUBLE_EQ(as_written(1.23456, {.decimals = 3}), 1.235);
+    EXPECT_DOUBLE_EQ(as_written(1.00026, {.decimals = 3, .factor = 2}), 1.0005);
+    EXPECT_TRUE(std::isnan(as_written(NAN, {})));
+}
+
 }  // namespace
 }  // namespace obrys::write

@@ -75,8 +75,9 @@ enum class Encoding : std::uint8_t { utf8, windows_1252, ascii };
 
 struct Post {
     std::string name, title, control, suffix;
-    bool is_canon = false;  ///< canonical calls (cl/canon.hpp) instead of templates
-    std::string block_end;  ///< behind each block (" *")
+    bool for_mills_alone = false;  ///< it has no words for programs of lathes
+    bool is_canon = false;         ///< canonical calls (cl/canon.hpp) instead of templates
+    std::string block_end;         ///< behind each block (" *")
     std::string line_end = "\n";
     Tape tape = Tape::none;                  ///< code of the punched tape; none: the text as it is
     double most_sweep = 0;                   ///< degrees of an arc that one block holds; 0: a turn and more

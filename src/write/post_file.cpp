@@ -85,6 +85,7 @@ public:
         post_.title = file_.text("title").value_or("");
         post_.control = file_.text("control").value_or("");
         post_.suffix = file_.text("suffix").value_or("nc");
+        post_.for_mills_alone = file_.boolean("mills_alone").value_or(false);
         if (const auto ends = file_.choice("line_end", {"lf", "crlf"})) post_.line_end = *ends == 0 ? "\n" : "\r\n";
         if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
@@ -204,7 +205,7 @@ private:
                 post_.encoding =
                     static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
-            if (name == "cycles") static_cast<void>(s.boolean("inherit"));  // joined() has looked at it
+            if (name == "cycles") read_inheritance(s);
             if (name == "function") {
                 post_.function_letters = s.text("letters").value_or("");
                 post_.functions_refused = s.texts("refused");
@@ -272,6 +273,14 @@ private:
         }
     }
 
+    /// What joined() has looked at.
+    void read_inheritance(Section& s) {
+        static_cast<void>(s.boolean("inherit"));
+        for (const shop::Value* kind : s.text_values("without"))
+            if (!cl::cycle_kind_spelt(kind->text))
+                complain(kind->where, "there is no kind of cycle called '" + kind->text + "'");
+    }
+
     std::optional<Condition> condition(const shop::Value& v) {
         std::string_view text = v.text;
         Condition c;
@@ -317,12 +326,28 @@ private:
 
 /// What `over` says stands in the place of what `under` says; tables are joined, arrays of tables too, those of `over`
 /// first.
+/// Of the post below, those of kinds that are named here, as one text or several.
+void erase_cycles(shop::Value& post, const shop::Value& kinds) {
+    const auto is_named = [&](const std::string& kind) {
+        return kinds.text == kind || std::any_of(kinds.items.begin(), kinds.items.end(),
+                                                 [&](const shop::Value& v) { return v.text == kind; });
+    };
+    for (Entry& e : post.entries)
+        if (e.key == "cycle")
+            std::erase_if(e.value.items, [&](const shop::Value& form) {
+                const Entry* kind = shop::find(form, "kind");
+                return kind != nullptr && is_named(kind->value.text);
+            });
+}
+
 shop::Value joined(const shop::Value& under, const shop::Value& over) {
     shop::Value out = under;
     const Entry* cycles = shop::find(over, "cycles");
     const Entry* inherit = cycles != nullptr ? shop::find(cycles->value, "inherit") : nullptr;
     if (inherit != nullptr && inherit->value.kind == shop::ValueKind::boolean && !inherit->value.boolean)
         std::erase_if(out.entries, [](const Entry& e) { return e.key == "cycle"; });
+    if (const Entry* without = cycles != nullptr ? shop::find(cycles->value, "without") : nullptr)
+        erase_cycles(out, without->value);
     for (const Entry& e : over.entries) {
         const auto same = std::find_if(out.entries.begin(), out.entries.end(),
                                        [&](const Entry& there) { return there.key == e.key; });

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "write/post_testing.hpp"
+#include "write/writer_testing.hpp"
 
 namespace obrys::write {
 namespace {
@@ -26,6 +27,28 @@ TEST(Post, WhatItExtendsStaysBelow) {
     EXPECT_EQ(post[Command::rapid].front().front().before, "G00");
     EXPECT_TRUE(post.has(Command::linear));
     EXPECT_EQ(post.cycles.at(cl::CycleKind::canned_drill).size(), 3U);  // its own, then those of fanuc
+}
+
+TEST(Post, KindsOfCyclesOfThePostBelowCanBeLeftOut) {
+    const Post post = post_of(
+        "extends = \"fanuc\"\n[cycles]\nwithout = [\"canned-peck\", \"canned-drill\"]\n[[cycle]]\n"
+        "kind = \"canned-drill\"\ncall = \"G81 X{x}\"\n");
+    EXPECT_EQ(post.cycles.count(cl::CycleKind::canned_peck), 0U);
+    EXPECT_EQ(post.cycles.at(cl::CycleKind::canned_drill).size(), 1U);
+    EXPECT_EQ(faults_of("[cycles]\nwithout = \"drilling\"\n"), "2: there is no kind of cycle called 'drilling'\n");
+}
+
+TEST(Post, ValuesAmongTheLettersOfAWord) {
+    const Post post = post_of("extends = \"iso\"\n[tool]\ndata = \"? $P[{number},{edge}]={length} R{tool-radius}\"\n");
+    const Token& word = post[Command::tool_data].front()[1];
+    ASSERT_EQ(word.indices.size(), 2U);
+    EXPECT_EQ(word.indices[0].before, "$P[");
+    EXPECT_EQ(word.indices[1].before, ",");
+    EXPECT_EQ(word.before, "]=");
+    EXPECT_EQ(write(post, {cl::ToolData{3, 2, 50.5, {}}}).text, "$P[3,2]=50.5\n");
+    EXPECT_EQ(write(post, {cl::ToolData{3, 2, {}, 4.0}}).text, "R4\n");
+    EXPECT_EQ(faults_of("[tool]\ndata = \"$P[{name}]={length}\"\n").substr(0, 3), "2: ");
+    EXPECT_EQ(faults_of("[tool]\ndata = \"$P[{nobody}]={length}\"\n"), "2: there is no value called 'nobody'\n");
 }
 
 TEST(Post, FaultsHaveTheirPlace) {

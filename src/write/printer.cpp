@@ -97,6 +97,14 @@ bool Printer::add_word(Line& line, const Token& t, const Values& values) {
     if (!values.has(t.value)) return true;
     line.asked = true;
     std::string text(t.first ? values.text(*t.first) : std::string_view());
+    for (const Token::Index& i : t.indices) {
+        if (!values.has(i.value)) return true;
+        text += i.before;
+        const bool holds = !values.is_unknown(i.value);
+        if (holds && append_number(text, values.number(i.value) * i.factor, post_.styles[i.style])) continue;
+        failed_ = text + (holds ? std::to_string(values.number(i.value) * i.factor) : "?");
+        return false;
+    }
     text += t.before;
     const bool known = !values.is_unknown(t.value);
     if (!known || !append_number(text, values.number(t.value) * t.factor, post_.styles[t.style])) {

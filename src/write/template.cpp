@@ -121,6 +121,21 @@ bool parse_choice(std::string_view inside, const Grammar& g, Token& t, std::stri
     return true;
 }
 
+/// Values that stand before the last one of a word.
+bool parse_indices(const Grammar& g, Token& t, std::string& error) {
+    for (;;) {
+        const std::size_t open = t.before.find('{'), close = t.before.find('}', open);
+        if (open == std::string::npos) return true;
+        Token index;
+        if (close == std::string::npos) return error = "a brace is not closed", false;
+        if (!parse_value(std::string_view(t.before).substr(open + 1, close - open - 1), g, index, error)) return false;
+        if (index.kind == Token::Kind::text)
+            return error = "before the value of a word stand letters, values, or one text at its begin", false;
+        t.indices.push_back({t.before.substr(0, open), index.value, index.factor, index.style});
+        t.before.erase(0, close + 1);
+    }
+}
+
 bool parse_token(std::string_view word, const Grammar& g, Token& t, std::string& error) {
     const std::size_t open = word.rfind('{');
     if (open == std::string_view::npos) {
@@ -147,8 +162,7 @@ bool parse_token(std::string_view word, const Grammar& g, Token& t, std::string&
         t.first = text_named(std::string_view(t.before).substr(1, end - 1));
         if (t.first) t.before.erase(0, end + 1);
     }
-    if (t.before.find('{') != std::string::npos)
-        return error = "before the value of a word stand letters, {name} or {letter}", false;
+    if (!parse_indices(g, t, error)) return false;
     t.after = word.substr(close + 1);
     t.slot = slot_of(t.before, g);
     return parse_value(inside, g, t, error);
@@ -170,7 +184,8 @@ bool says(const Template& text, ValueIndex value) {
     return std::any_of(text.begin(), text.end(), [&](const Block& b) {
         return std::any_of(b.begin(), b.end(), [&](const Token& t) {
             const bool holds = t.kind == Token::Kind::word || t.kind == Token::Kind::choice;
-            return holds && t.value == value;
+            const auto is_index = [&](const Token::Index& i) { return i.value == value; };
+            return holds && (t.value == value || std::any_of(t.indices.begin(), t.indices.end(), is_index));
         });
     });
 }

@@ -10,6 +10,7 @@
 ///   {return-level?G98|G99}   the first text where the value is there, else the second
 ///   {filter=3?1|0}           the same, where it has this number
 ///   {letter}{number}   a word whose letters come with it
+///   $P[{number},{edge}]={length}   values among the letters, which do not say anything by themselves
 ///   ?             at the begin: the block is left out where none of its values is there
 ///   {comp} {feed} {corner} {axes} {length} {coolant}   what compensation, feed, corner, additional axes, the
 ///                 compensation of the tool's length and coolant have to say here; {feed!}: also what is in force
@@ -29,9 +30,17 @@ enum class Part : std::uint8_t { compensation, feed, corner, axes, length, coola
 
 struct Token {
     enum class Kind : std::uint8_t { literal, word, text, choice, part };
+    /// A value among the letters of a word: the T of $TC_DP3[T,D]=.
+    struct Index {
+        std::string before;  ///< letters that stand before it
+        ValueIndex value = 0;
+        double factor = 1;
+        std::size_t style = 0;
+    };
     Kind kind = Kind::literal;
-    std::string before, after;  ///< of a choice: both texts
-    std::optional<Text> first;  ///< of a word: stands before `before`
+    std::string before, after;     ///< of a choice: both texts
+    std::optional<Text> first;     ///< of a word: stands before `before`
+    std::vector<Index> indices{};  ///< of a word: they stand before `before`
     ValueIndex value = 0;
     Text text = Text::name;
     Part part = Part::feed;

@@ -172,13 +172,17 @@ bool Writer::rise_waits() const {
     return line != nullptr && line->to.x == from.x && line->to.y == from.y && line->to.z > from.z;
 }
 
-void Writer::write_rise() {
-    const Held rise = held_.front();
+void Writer::write_first_held() {
+    const Held first = held_.front();
     held_.erase(held_.begin());
-    in_cycles_ = false;  // it stands before their end
-    const cl::Record* now = std::exchange(now_, &rise.record);
-    write_move(rise.record.step, rise.from);
+    const cl::Record* now = std::exchange(now_, &first.record);
+    write_move(first.record.step, first.from);
     now_ = now;
+}
+
+void Writer::write_rise() {
+    in_cycles_ = false;  // it stands before their end
+    write_first_held();
     in_cycles_ = true;
     end_cycles();
 }
@@ -253,8 +257,10 @@ std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begi
 void Writer::event(const cl::CompensationBegin& begin) {
     if (plain_) return;
     compensation_ = compensation_of(begin);
-    if (!compensation_) {
-        note(Fate::expanded, "radius compensation by a radius that the program says");
+    if (!compensation_ || !post_.has(*compensation_)) {
+        note(Fate::expanded, compensation_ ? std::string(radius_compensation)
+                                           : "radius compensation by a radius that the program says");
+        compensation_.reset();
         plain_ = true;
     }
     contour_begun_ = false;

@@ -129,6 +129,7 @@ private:
     void flush_held();
     [[nodiscard]] bool rise_waits() const;
     void write_rise();
+    void write_first_held();
 
     // What holds, before something happens.
     void write_state();
@@ -138,6 +139,9 @@ private:
     void set_offsets(bool rapid);
     void note_cut_without_tool(bool rapid);
     void note_tapping();
+    void note_tap_back(const geom::Vec3& to);
+    void set_tap();
+    void leave_tap(Command command);
     void stop_spindle(const std::string& word);
     void set_tool(const cl::ToolChange& change);
     void await_length_of(const cl::ToolChange& change);
@@ -193,7 +197,8 @@ private:
     [[nodiscard]] std::set<std::string> kept_words(const CycleForm& form) const;
     void end_series_that_says_more(const CycleForm& form);
     [[nodiscard]] double level_of_series(bool over) const;
-    [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const;
+    [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level, double stands) const;
+    void note_held_aside(const cl::Cycle& cycle);
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
     [[nodiscard]] bool fold_as(const cl::CycleBegin& begin, const HoleWay& way);
     [[nodiscard]] bool is_again(const Template& call, const Parts& parts);
@@ -259,6 +264,7 @@ private:
     std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
     int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
     bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
+    geom::Vec3 tap_from_;                  ///< where that one began
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say
     struct Lead {
         Command command = Command::onto_tangent_line;

@@ -15,6 +15,21 @@ bool is_normal_noise(const geom::Vec3& n) {
     return most > 1 - normal_noise;
 }
 
+/// How the words of straight moves write a coordinate.
+const NumberStyle& style_of(const Post& post, Value coordinate) {
+    static const NumberStyle exact{.decimals = 12};
+    for (const Block& block : post[Command::linear])
+        for (const Token& t : block)
+            if (t.kind == Token::Kind::word && t.value == index_of(coordinate)) return post.styles[t.style];
+    return exact;
+}
+
+/// A place as the text has it: the control counts the centre of an arc from there.
+geom::Vec3 place_as_written(const geom::Vec3& p, const Post& post) {
+    return {as_written(p.x, style_of(post, Value::x)), as_written(p.y, style_of(post, Value::y)),
+            as_written(p.z, style_of(post, Value::z))};
+}
+
 }  // namespace
 
 /// Where an arc that the post has to write in pieces ends its pieces: angles from its start, radians, without its own
@@ -124,9 +139,10 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     for (const auto& [value, number] : ends)
         if (!std::isnan(number)) values_.set(value, number);
     const bool in_yz = std::abs(normal.x) > 0.5, in_zx = std::abs(normal.y) > 0.5, in_xy = !in_yz && !in_zx;
-    if (!in_yz) values_.set(Value::i, centre.x - start.x), values_.set(Value::centre_x, centre.x);
-    if (!in_zx) values_.set(Value::j, centre.y - start.y), values_.set(Value::centre_y, centre.y);
-    if (!in_xy) values_.set(Value::k, centre.z - start.z), values_.set(Value::centre_z, centre.z);
+    const geom::Vec3 written = place_as_written(start, post_);
+    if (!in_yz) values_.set(Value::i, centre.x - written.x), values_.set(Value::centre_x, centre.x);
+    if (!in_zx) values_.set(Value::j, centre.y - written.y), values_.set(Value::centre_y, centre.y);
+    if (!in_xy) values_.set(Value::k, centre.z - written.z), values_.set(Value::centre_z, centre.z);
     const double radius = geom::length(start - centre - geom::dot(start - centre, normal) * normal);
     // As controls count it: negative where the arc is more than half a circle.
     if (!std::isnan(radius)) values_.set(Value::radius, std::abs(sweep) > geom::pi * (1 + 1e-9) ? -radius : radius);
@@ -140,6 +156,7 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     const bool helix = std::abs(rise) > 1e-9 && post_.has(Command::helix_cw);
     const Value lead = in_xy ? Value::lead_z : in_zx ? Value::lead_y : Value::lead_x;
     if (helix) values_.set(lead, std::abs(rise / sweep) * geom::full_turn);
+    if (arc.rapid && !post_.has(Command::feed_rapid)) note(Fate::lost, "an arc at rapid: the post has no feed.rapid");
     print_move(
         sweep > 0 ? (helix ? Command::helix_ccw : Command::arc_ccw) : (helix ? Command::helix_cw : Command::arc_cw),
         arc.rapid, corner);

@@ -100,17 +100,18 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
 /// Where the tool stood when the series began, or stands when it begins with a cycle now. Of a way over the hole its
 /// end counts: where it begins is not known behind a change of the tool's length.
 double Writer::level_of_series(bool over) const {
-    if (in_cycles_ && !rise_waits()) return series_level_;
+    const bool ends_series = over && held_.size() > 1 && !post_.raises_to_retract_plane;
+    if (in_cycles_ && !rise_waits() && !ends_series) return series_level_;
     const auto* way = over || rise_waits() ? std::get_if<cl::Linear>(&held_.front().record.step) : nullptr;
     return frames_.programmed(way != nullptr ? way->to : cursor_.position().here()).z;
 }
 
 /// Whether the control ends where the cycle does: words that name no height (G98) mean that of the series' begin. And
-/// whether it gets to the retract plane by the moves that were made.
-bool Writer::gets_there(const CycleForm& form, const cl::Cycle& cycle, double level) const {
+/// whether it gets to the retract plane by the moves that were made, from where the tool stands over the hole.
+bool Writer::gets_there(const CycleForm& form, const cl::Cycle& cycle, double level, double stands) const {
     constexpr double same = 1e-6;  // mm
     const auto retract = height(cycle, cl::CycleRole::retract_plane);
-    if (post_.raises_to_retract_plane && retract && !(level >= *retract - same)) return false;
+    if (post_.raises_to_retract_plane && retract && !(stands >= *retract - same)) return false;
     const auto end = height(cycle, cl::CycleRole::return_level);
     const ValueIndex value = index_of(cl::CycleRole::return_level);
     if (!end || prints(form.define, value) || prints(form.call, value)) return true;
@@ -182,9 +183,13 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     };
     end_series_that_says_more(*form);
     const double level = level_of_series(goes_over());
-    if (!gets_there(*form, cycle, level)) return false;
+    const auto* over_hole = goes_over() ? std::get_if<cl::Linear>(&held_.back().record.step) : nullptr;
+    const double stands = frames_.programmed(over_hole != nullptr ? over_hole->to : cursor_.position().here()).z;
+    if (!gets_there(*form, cycle, level, stands)) return false;
     if (rise_waits()) write_rise();
     const bool over = goes_over();
+    // A control that does not raise the tool first makes the last of these moves alone.
+    while (over && held_.size() > 1 && !post_.raises_to_retract_plane) write_first_held();
     if (over)
         held_.clear();
     else
@@ -212,6 +217,15 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     return true;
 }
 
+/// Cycles that hold the spindle and move aside, so that the edge comes free of the wall: at which angle the control
+/// holds it, and so which way the edge points, is its own. The moves alone would be for another control's angle.
+void Writer::note_held_aside(const cl::Cycle& cycle) {
+    const bool aside = cycle.kind == cl::CycleKind::canned_bore_orient || cycle.kind == cl::CycleKind::canned_back_bore;
+    if (!aside) return;
+    note(Fate::lost, "the side to which " + name_of_cycle(cycle) +
+                         " moves away, which goes with the angle at which the control itself holds the spindle,");
+}
+
 void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
     const cl::CycleKind kind = begin.cycle->kind;
     const bool taps = (kind >= cl::CycleKind::tap_floating_simple && kind <= cl::CycleKind::tap_chip_breaking) ||
@@ -224,6 +238,7 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
         return;
     }
     flush_held();
+    note_held_aside(*begin.cycle);
     note(Fate::expanded, name_of_cycle(*begin.cycle));
 }
 

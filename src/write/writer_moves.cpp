@@ -19,7 +19,7 @@ Command corner_command(const cl::Programmed& p) {
 
 /// What the ledger calls a move that is more than its way; empty: it is not.
 std::string_view special_move(Command command) {
-    if (command == Command::tap) return "rigid tapping";
+    if (command == Command::tap || command == Command::tap_back) return "rigid tapping";
     if (command >= Command::spline && command <= Command::spline_yz) return "a spline";
     if (command >= Command::thread && command <= Command::thread_falling) return "a thread";
     return command >= Command::seek_contact && command <= Command::seek_release_or_end ? "a probe's way" : "";
@@ -67,7 +67,7 @@ void Writer::end_wait_of_compensation(Command command, const Template& form, std
     else if (compensation_ == Command::compensation_off)
         note(Fate::mapped, "the end of radius compensation", line);
     else
-        note(Fate::mapped, "radius compensation", line);
+        note(Fate::mapped, std::string(radius_compensation), line);
     compensation_.reset();
 }
 
@@ -222,7 +222,9 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     coolant_may_wait_ =
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
-    write_state();
+    // The spindle of a tap reverses by itself.
+    const auto* thread = std::get_if<cl::Thread>(&step);
+    if (thread == nullptr || !thread->rigid_tap || !tap_returns_) write_state();
     coolant_may_wait_ = false;
     printer_.stand_at(frames_.programmed(from));
     write_way(step, from);
@@ -292,9 +294,17 @@ bool Writer::write_place(const cl::Linear& line) {
     return true;
 }
 
+/// A word of taps that says the way back leads to where they began.
+void Writer::note_tap_back(const geom::Vec3& to) {
+    if (post_.has(Command::tap) && !(geom::distance(to, tap_from_) <= place_noise))
+        note(Fate::lost, "rigid tapping that goes back before it is done: the post has no motion.tap-back");
+}
+
 void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
-    if (thread.rigid_tap && std::exchange(tap_returns_, false)) return;  // the word says the way back, too
-    tap_returns_ = thread.rigid_tap;
+    const bool back = thread.rigid_tap && std::exchange(tap_returns_, false);
+    if (back && !post_.has(Command::tap_back)) return note_tap_back(thread.to);  // the word of the tap says it, too
+    tap_returns_ = thread.rigid_tap && !back;
+    tap_from_ = from;
     end_cycles();
     const geom::Vec3 to = frames_.programmed(thread.to), start = frames_.programmed(from);
     values_.clear();
@@ -302,6 +312,7 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
     if (!std::isnan(to.y)) values_.set(Value::y, to.y);
     if (!std::isnan(to.z)) values_.set(Value::z, to.z);
     drop_standing_axes();
+    const double pitch = thread.rigid_tap ? thread.pitch : std::abs(thread.pitch);
     values_.set(Value::pitch, std::abs(thread.pitch));
     const geom::Vec3 way = to - start;
     const double length = geom::length(way);
@@ -309,16 +320,17 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
         // Controls count the pitch along the axis that goes farther.
         const double x = std::abs(way.x), y = std::abs(way.y), z = std::abs(way.z);
         if (z >= x && z >= y)
-            values_.set(Value::pitch_z, std::abs(thread.pitch) * z / length);
+            values_.set(Value::pitch_z, pitch * z / length);
         else if (x >= y)
-            values_.set(Value::pitch_x, std::abs(thread.pitch) * x / length);
+            values_.set(Value::pitch_x, pitch * x / length);
         else
-            values_.set(Value::pitch_y, std::abs(thread.pitch) * y / length);
+            values_.set(Value::pitch_y, pitch * y / length);
     } else {
-        values_.set(Value::pitch_z, std::abs(thread.pitch));  // goes nowhere, or nobody knows from where
+        values_.set(Value::pitch_z, pitch);  // goes nowhere, or nobody knows from where
     }
     if (thread.rigid_tap) note_tapping();
-    const Command command = thread.rigid_tap    ? Command::tap
+    const Command command = back                ? Command::tap_back
+                            : thread.rigid_tap  ? Command::tap
                             : thread.change > 0 ? Command::thread_rising
                             : thread.change < 0 ? Command::thread_falling
                                                 : Command::thread;
@@ -327,7 +339,25 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
     if (thread.start != 0) values_.set(Value::start, thread.start);
     if (thread.start != 0 && post_.has(command) && !says(post_[command], index_of(Value::start)))
         note(Fate::lost, "the angle at which a thread begins");
+    if (thread.rigid_tap) set_tap();
     print_move(command, true, nullptr);
+    if (thread.rigid_tap) leave_tap(command);
+}
+
+/// Values of taps alone: their speed, and the angle at which the spindle is held before them.
+void Writer::set_tap() {
+    const cl::Spindle& spindle = cursor_.state().spindle;
+    if (spindle.speed > 0 && spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, spindle.speed);
+    values_.set(Value::held, 0);
+}
+
+/// Words of taps are said anew for each of them. A spindle that was held before it does not turn behind it by itself.
+void Writer::leave_tap(Command command) {
+    printer_.leave(post_[command]);
+    if (!says(post_[command], index_of(Value::held))) return;
+    spindle_.direction = 0;
+    spindle_.held = 0;
+    printer_.leave(post_[Command::spindle_cw]);
 }
 
 }  // namespace obrys::write

@@ -29,6 +29,7 @@ void Writer::write_state() {
 void Writer::stop_spindle(const std::string& word) {
     if (word.empty()) return;
     spindle_.direction = 0;
+    spindle_.held.reset();
     printer_.force(word);
 }
 
@@ -226,7 +227,7 @@ void Writer::write_frame() {
     printer_.forget_coordinates();
     auto steps = frames_.lead_to(wanted, post_);
     if (!steps) {
-        steps = frames_.clear(wanted);
+        steps = frames_.clear(wanted, post_);
         if (!(frames_refused_ == wanted))
             note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");
         frames_refused_ = wanted;

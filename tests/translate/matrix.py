@@ -22,7 +22,7 @@ import tempfile
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 import round_trip  # noqa: E402
 
-TIMEOUT = 120
+TIMEOUT = 300
 CONTROLS = ("heidenhain-itnc530", "sinumerik-840d", "fanuc", "haas", "linuxcnc", "acramatic-2100", "apt-cl")
 TARGETS = ("heidenhain-itnc530", "heidenhain-iso", "sinumerik-840d", "fanuc", "haas", "linuxcnc", "acramatic-2100", "canon")
 CORPUS = {"heidenhain-itnc530": ("klartext", ".h"), "sinumerik-840d": ("sinumerik", ".mpf .spf .arc"), "fanuc": ("gcode", ".nc .cnc .tap .txt .eia .ncf"),
@@ -82,6 +82,9 @@ def translated(obrys, case, target, folder):
     done = call(obrys, case.folder, "translate", case.program, "--to", target, "-o", str(out), "--ledger", str(ledger), "--force",
                 *case.options)
     err = done.stderr.decode("utf-8", "replace")
+    by_name = re.search(r"error: (this post is for mills[^\[]*)", err)
+    if by_name and done.returncode == 2:
+        return "refused", by_name.group(1).strip()
     if not ledger.exists():
         return "no answer", (err.splitlines() or [f"exit {done.returncode}"])[0]
     told = json.loads(ledger.read_text(encoding="utf-8"))

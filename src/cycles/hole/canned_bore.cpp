@@ -50,8 +50,7 @@ geom::Vec2 read_shift(Course& c) { return {c.need(Role::shift_u), c.need(Role::s
 
 /// The tool stands in a known direction: the shift goes by it.
 void orient(Course& c, const Turning& t) {
-    stop_spindle(c, t);
-    c.add(cl::Auxiliary{'M', 19});
+    c.add(cl::Spindle{.speed = t.speed, .direction = 0, .held = NAN});  // the machine knows the angle
 }
 
 void in_plane(Course& c, geom::Vec2 to) { c.straight({to.x, to.y, c.at().z}, true); }

@@ -86,7 +86,7 @@ void unknown_machine_position(Moving& run) {
                       "machine coordinate 0 is taken as the home of its axis, away from the workpiece: where it is in "
                       "the workpiece is not known",
                       "give home of the axes in the machine file and the zero offset in [datum] of the job");
-    if (!keeps_offsets(run) && goes_away(run)) return assume_away(run);
+    if (goes_away(run)) return assume_away(run);
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
                   " is not known: where it ends in the workpiece is not known",

@@ -60,6 +60,15 @@ double pitch_of_thread(const Reckoning& run, double pitch, const geom::Vec3& fro
     return turned ? -pitch : pitch;
 }
 
+/// G33.1 has no sign for the hand: the spindle that turns backwards on the way in cuts a left-hand thread.
+int hand_of_spindle(const Reckoning& run, const geom::Vec3& from, const geom::Vec3& to) {
+    if (run.env.machine.kind != shop::MachineKind::mill) return 1;
+    const geom::Vec3 way = run.frame_is_identity ? to - from : geom::apply_direction(run.frame, to - from);
+    const bool backwards = run.spindle.direction < 0;
+    const bool out = geom::dot(way, run.tool_axis) > 0;
+    return backwards != out ? -1 : 1;
+}
+
 }  // namespace
 
 /// G33.1: down with the spindle, and back with it reversed.
@@ -67,7 +76,7 @@ bool rigid_tap(Moving& run) {
     flush_path(run);
     const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
     cl::Thread t;
-    t.pitch = run.block.get(Code::k) * length_unit(run.modal);
+    t.pitch = run.block.get(Code::k) * length_unit(run.modal) * hand_of_spindle(run, from, to);
     t.rigid_tap = true;
     tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     for (const geom::Vec3& p : {to, from}) {

@@ -119,6 +119,16 @@ void set_datum_data(Moving& run, bool from_position) {
     update_frame(run);
 }
 
+/// Nobody has given the table: the control's own is taken to have the tool, since a program that writes to it needs it.
+shop::Tool* in_table_not_given(Moving& run, int number) {
+    assume(run, run.here(),
+           "no tool table is given: tool " + std::to_string(number) + " is taken to be in it, where G10 needs it to be",
+           "give the table with --tools, and see that the control's has the tool");
+    const auto made = add_tool(run, static_cast<std::uint32_t>(number));
+    made->assumed = "written by the program";
+    return &*made;
+}
+
 shop::Tool* tool_of_block(Moving& run) {
     const auto number = whole(run, Code::p, "P", 99'999'999);
     if (!number) return nullptr;
@@ -126,7 +136,9 @@ shop::Tool* tool_of_block(Moving& run) {
         return t.number == static_cast<std::uint32_t>(*number);
     });
     if (found != run.tools.end()) return &*found;
-    refuse_g10(run, "tool " + std::to_string(*number) + " is not in the tool table");
+    if (run.env.tools.empty() && !run.env.tell_settings) return in_table_not_given(run, *number);
+    alarm(run, codes::value_range, run.here(), "G10: tool " + std::to_string(*number) + " is not in the tool table",
+          "add a row for it to the table");
     return nullptr;
 }
 
