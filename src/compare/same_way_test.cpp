@@ -79,6 +79,22 @@ TEST(SameWay, WhereTheToolStandsStillIsNotPassed) {
     EXPECT_EQ(differences({stops, line(0, 0), line(20, 0)}, {stops, line(0, 0), line(10, 0), line(20, 0)}), "motion");
 }
 
+/// Where another length is compensated from there on, or the tip is taken to stand higher, the move begins elsewhere
+/// than its numbers say: what lies on the line between them need not lie on its way.
+TEST(SameWay, AMoveThatBeginsElsewhereIsNotCut) {
+    cl::ToolChange tool{1, 1, ""}, raised = tool;
+    raised.raised = 0.5;
+    const auto way = [&](const cl::Step& between, bool cut) {
+        Steps out{tool, cl::Feed{100}, line(0, 0), between};
+        if (cut) out.emplace_back(line(10, 0));
+        out.emplace_back(line(20, 0));
+        return out;
+    };
+    EXPECT_EQ(differences(way(cl::Comment{"x"}, false), way(cl::Comment{"x"}, true)), "");
+    EXPECT_EQ(differences(way(cl::ToolLength{1, 2, {}}, false), way(cl::ToolLength{1, 2, {}}, true)), "motion");
+    EXPECT_EQ(differences(way(raised, false), way(raised, true)), "motion");
+}
+
 TEST(SameWay, RapidsAreCutAlongAnAxisOnly) {
     const Steps along{line(0, 0, true), line(20, 0, true)}, across{line(0, 0, true), line(20, 10, true)};
     EXPECT_EQ(differences(along, {line(0, 0, true), line(10, 0, true), line(20, 0, true)}), "");

@@ -132,16 +132,13 @@ void Collector::take_move(const motion::Step& step) {
 
 void Collector::take_dwell(const cl::Dwell& dwell) {
     Times& times = tool().times;
-    if (dwell.seconds != 0 || dwell.revolutions == 0) {
-        times.dwell_s += dwell.seconds;
-        return;
-    }
-    const double speed = speed_at(cursor_.position().here().x);
+    const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
     constexpr double minute = 60;
-    if (speed > 0)
-        times.dwell_s += minute * dwell.revolutions / speed;
+    const double seconds = turns ? minute * dwell.revolutions / speed_at(cursor_.position().here().x) : dwell.seconds;
+    if (std::isfinite(seconds))
+        times.dwell_s += seconds;
     else
-        ++times.untimed_dwells;
+        ++times.untimed_dwells;  // the spindle stands, or nobody knows how long
 }
 
 void Collector::take(const cl::Record& record) {

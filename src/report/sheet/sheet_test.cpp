@@ -43,10 +43,10 @@ TEST(Sheet, TimesFollowFromPathFeedAndRapidByTool) {
 }
 
 TEST(Sheet, WhatIsNotKnownIsCountedApartAndNotAsNothing) {
-    const Program p = of({rapid(0, 0, 0), cl::Feed{NAN}, cl::Linear{{10, 0, 0}}, cl::Dwell{0, 5},
+    const Program p = of({rapid(0, 0, 0), cl::Feed{NAN}, cl::Linear{{10, 0, 0}}, cl::Dwell{0, 5}, cl::Dwell{NAN},
                           cl::Axis{{'C'}, 90, true}, rapid(10, 0, 0)});
     EXPECT_DOUBLE_EQ(p.times.untimed_mm, 10);
-    EXPECT_EQ(p.times.untimed_dwells, 1U);
+    EXPECT_EQ(p.times.untimed_dwells, 2U);
     EXPECT_EQ(p.times.rotary, 1U);
     EXPECT_FALSE(p.times.is_whole());
     const std::string text = as_text(pages({p}, {}, {}));
