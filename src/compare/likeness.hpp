@@ -20,7 +20,7 @@ inline geom::Vec3 in_plane(const geom::Vec3& v, const geom::Vec3& normal) {
 /// Compares values by what they are.
 class Likeness {
 public:
-    explicit Likeness(const Tolerance& t) : t_(t) {}
+    explicit Likeness(const Tolerance& t) : t_(t) { t_.on_arcs = std::max(t.on_arcs, t.length); }
 
     [[nodiscard]] bool share(double a, double b) const { return near(a, b, t_.share * std::max(1.0, std::abs(a))); }
     [[nodiscard]] bool place(const geom::Vec3& a, const geom::Vec3& b) const { return near(a, b, t_.length); }
@@ -29,7 +29,8 @@ public:
     /// Turned by the same about the same side: a sweep about the other side of the axis is the same with its sign.
     [[nodiscard]] bool turn(const geom::Vec3& n, double s, const geom::Vec3& m, double r, double radius) const {
         constexpr double ends = 2;  // each of them may lie so far beside
-        const double allowed = ends * t_.length / std::max(radius, t_.length) + 1e-9;
+        const double room = std::max(ends * t_.length, t_.on_arcs);
+        const double allowed = room / std::max(radius, t_.length) + 1e-9;
         return near(s * n, r * m, allowed);
     }
 
@@ -50,7 +51,8 @@ public:
     }
     /// Ways between the same ends: places on them. Where an arc is short, its ends do not hold its centre.
     [[nodiscard]] bool middles(const cl::Arc& a, const cl::Arc& b) const {
-        return place(on(a, 0.25), on(b, 0.25)) && place(on(a, 0.5), on(b, 0.5)) && place(on(a, 0.75), on(b, 0.75));
+        const auto one = [&](double share) { return near(on(a, share), on(b, share), t_.on_arcs); };
+        return one(0.25) && one(0.5) && one(0.75);
     }
     /// A place of an arc in its plane, seen back from its end.
     [[nodiscard]] static geom::Vec3 on(const cl::Arc& a, double share) {
@@ -77,7 +79,9 @@ public:
                a.counted == b.counted;
     }
     [[nodiscard]] bool operator()(const cl::Feed& a, const cl::Feed& b) const {
-        return a.mode == b.mode && share(a.value, b.value);
+        constexpr double most = 1e-3;
+        const double step = std::min(t_.feed_step, most * std::abs(a.value));
+        return a.mode == b.mode && (share(a.value, b.value) || std::abs(a.value - b.value) <= step);
     }
     [[nodiscard]] bool operator()(const cl::Spindle& a, const cl::Spindle& b) const {
         const bool stands = a.direction == 0 && b.direction == 0;

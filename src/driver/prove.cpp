@@ -1,12 +1,14 @@
 /// What was written, run again and held against the program.
 
 #include <algorithm>
+#include <functional>
 
 #include "base/codes.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
+#include "write/lesser.hpp"
 
 namespace obrys::driver {
 
@@ -34,6 +36,22 @@ void complain_of(Session& s, const compare::Result& result, const Session& run) 
 bool runs_otherwise(const compare::Result& result) {
     return std::any_of(result.first.begin(), result.first.end(),
                        [](const compare::Difference& d) { return compare::is_done(d.aspect); });
+}
+
+/// In what the numbers of words say.
+bool differs_by_rounding(const compare::Result& result) {
+    return result.of(compare::Aspect::motion) != nullptr || result.of(compare::Aspect::feed) != nullptr;
+}
+
+/// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its
+/// start, its end and its centre. Places that are written are never given more room.
+compare::Tolerance as_words_hold(const write::Post& post, compare::Tolerance tolerance) {
+    constexpr double words = 5;  // the start counts twice, for it shifts the centre and the radius
+    const double length = write::half_step(post, "length");
+    if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
+    constexpr double slack = 1 + 1e-6;
+    tolerance.feed_step = write::half_step(post, "feed") * slack;
+    return tolerance;
 }
 
 /// A control would stop at something, or a run found something else that is wrong, besides what is not written.
@@ -82,19 +100,33 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;
-    out.run = std::make_unique<Session>();
     out.why_not = "what was written could not be run";
     const bool guessed = request.machine.empty() && s.job.machine.more_axes;
-    if (!open(request_of(translated, post, std::move(request), s, values), *out.run)) return out;
-    out.why_not.clear();
-    take_described_tools(s, out.run->job);
-    if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
-    compare::Tolerance within = tolerance;
-    within.same_control = s.control == post.control;
-    within.is_written_from_a = true;
-    out.compared = compare_with(translated.does, *out.run, within);
-    out.moves = out.compared.moves_b;
+    const Request wanted = request_of(translated, post, std::move(request), s, values);
+    const auto run = [&](const compare::Tolerance& t) {
+        out.run = std::make_unique<Session>();
+        Request again = wanted;
+        again.folders = std::make_shared<Folders>(wanted.folders->storage());
+        if (!open(again, *out.run)) return false;
+        take_described_tools(s, out.run->job);
+        if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
+        compare::Tolerance within = t;
+        within.same_control = s.control == post.control;
+        within.is_written_from_a = true;
+        out.compared = compare_with(translated.does, *out.run, within);
+        return true;
+    };
+    if (!run(tolerance)) return out;
     out.within = tolerance.length;
+    if (const compare::Result first = out.compared; differs_by_rounding(first)) {
+        const compare::Tolerance wide = as_words_hold(post, tolerance);
+        if (!run(wide)) return out;
+        const auto settled = [&](compare::Aspect a) { return first.of(a) != nullptr && out.compared.is_equal(a); };
+        if (settled(compare::Aspect::motion)) out.within = std::max(wide.length, wide.on_arcs);
+        out.feeds_rounded = settled(compare::Aspect::feed);
+    }
+    out.why_not.clear();
+    out.moves = out.compared.moves_b;
     if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
     const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
@@ -168,6 +200,18 @@ write::Post by_tool_path(write::Post post) {
     return post;
 }
 
+/// The post without the cycle's form, or without its frames: the first of them that helps.
+std::optional<write::Post> by_less(const write::Post& post, const std::optional<UsedForm>& form,
+                                   const std::function<bool(const write::Post&)>& helps) {
+    if (form) {
+        write::Post less = post;
+        leave_out(less, *form);
+        if (helps(less)) return less;
+    }
+    if (write::Post less = post; write::leave_out_frames(less) && helps(less)) return less;
+    return std::nullopt;
+}
+
 }  // namespace
 
 Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
@@ -192,15 +236,21 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     }
     for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
         const std::optional<std::size_t> at = differs_at(out.proved);
-        const UsedForm* form = at ? form_before(out.translated, *at, tolerance.length) : nullptr;
-        if (form == nullptr) break;
-        const write::Post before = less;
-        leave_out(less, *form);
-        by(less);
-        const std::optional<std::size_t> now = differs_at(out.proved);
-        if (!now || *now > *at) continue;
-        by(before);  // it is something else that differs
-        break;
+        if (!at) break;
+        const bool lost = out.translated.ledger.has_lost();
+        const UsedForm* form = form_before(out.translated, *at, tolerance.length);
+        const std::optional<UsedForm> used = form != nullptr ? std::optional(*form) : std::nullopt;
+        const auto helps = [&](const write::Post& other) {
+            by(other);
+            const std::optional<std::size_t> now = differs_at(out.proved);
+            return (!now || *now > *at) && (lost || !out.translated.ledger.has_lost());
+        };
+        std::optional<write::Post> better = by_less(less, used, helps);
+        if (!better) {
+            by(less);  // it is something else that differs
+            break;
+        }
+        less = std::move(*better);
     }
     tell(session, out.translated);
     if (out.proved.run != nullptr) complain_of(session, out.proved.compared, *out.proved.run);

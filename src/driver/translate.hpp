@@ -83,6 +83,7 @@ struct Proved {
     std::string why_not;    ///< it was not compared at all; empty: it was
     std::unique_ptr<Session> run;  ///< null: its control is none that can be read
     bool run_complains = false;    ///< what it complains about is news
+    bool feeds_rounded = false;    ///< as their words hold them
     compare::Result compared{};    ///< with the program
 };
 /// Without a word to the session, which is that of the program, as `request` is.
@@ -99,8 +100,9 @@ struct Settled {
 };
 /// Runs the main program, writes it and proves it. A cycle of the target's control that runs otherwise than the
 /// program's (other ways back, another machine's parameters) is left out, and all that it was for is written by the
-/// post's next form or by its moves; radius compensation that the target makes otherwise (another way onto the contour,
-/// other corners) is left out for the tool's path. What is expanded, lost or otherwise is added to the session's diagnostics.
+/// post's next form or by its moves; so are frames. Radius compensation that the target makes otherwise (another way
+/// onto the contour, other corners) is left out for the tool's path. What is expanded, lost or otherwise is added to
+/// the session's diagnostics.
 [[nodiscard]] Settled translate(Session& session, const write::Post& post, const Request& request,
                                 const TranslateOptions& options, const compare::Tolerance& tolerance);
 

@@ -56,6 +56,11 @@ std::string BlockWords::centre_text() {
             names != nullptr && names->size() >= 6 ? names->substr(i * 2, 2) : std::string(1, "IJK"[i]);
         out += (out.empty() ? "" : " ") + spelt(letter, v, true);
     }
+    // Where a centre is a pole, a coordinate that is left out is not 0 but that of the last one.
+    for (std::size_t i = 0; names != nullptr && names->size() >= 6 && i < 2; ++i) {
+        const bool said = std::any_of(centre_.begin(), centre_.end(), [&](const auto& c) { return c.first == i; });
+        if (!said) out += (out.empty() ? "" : " ") + spelt(names->substr(i * 2, 2), w_.number_text(0), true);
+    }
     return out;
 }
 

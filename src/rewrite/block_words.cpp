@@ -127,6 +127,12 @@ void BlockWords::gather() {
         frame_ = frame;
         return;
     }
+    // It holds for all coordinates of its block, wherever it stands in it.
+    for (std::uint32_t i = unit.statements[w_.at].first; i < end && !distance_; ++i)
+        if (program::code_of(unit.words[i]) == Code::modal) {
+            const Modal m = program::modal_of(unit.words[i]);
+            if (m == Modal::absolute || m == Modal::incremental) distance_ = m;
+        }
     std::vector<std::pair<Text, Text>> together;
     for (std::uint32_t i = unit.statements[w_.at].first; i < end; ++i) {
         const program::Word& word = unit.words[i];

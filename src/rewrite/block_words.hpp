@@ -44,6 +44,7 @@ private:
     /// What of an arc, or beside a straight move, has no counterpart; true where something has not.
     bool refuse_arc(bool arc);
     [[nodiscard]] std::string_view key_of(program::Modal motion) const;
+    void zero(int number);
     void no_move();
     void write_move(program::Modal motion, const std::string& feed, const std::string& compensation, bool by_mode);
     void pole();

@@ -166,12 +166,7 @@ void BlockWords::modes() {
                     "the plane is that of the tool axis there: straight moves name their axes, arcs are written in X "
                     "and Y alone");
     }
-    if (datum_) {
-        if (w_.language.has("words.datum"))
-            w_.say("words.datum", {{"number", std::to_string(*datum_)}}, "a zero offset");
-        else
-            w_.tell(w_.here, "the zero offset G" + std::to_string(*datum_) + " is the zero point that is active there");
-    }
+    if (datum_) zero(*datum_);
     if (length_ && w_.language.has("words.length-on")) {
         if (!offset_ || !offset_->number || w_.tool_in_spindle != base::clipped<int>(*offset_->number, 0, 999'999))
             return w_.refuse(w_.here,
@@ -246,6 +241,20 @@ std::string_view BlockWords::key_of(Modal motion) const {
     if (absolute && w_.language.has("words.arc-absolute-cw"))
         return cw ? "words.arc-absolute-cw" : "words.arc-absolute-ccw";
     return cw ? "words.arc-cw" : "words.arc-ccw";
+}
+
+void BlockWords::zero(int number) {
+    const std::string name = "the zero offset G" + std::to_string(number);
+    const auto& zeros = w_.language.zeros;
+    const auto n = static_cast<std::uint32_t>(number);
+    const auto words =
+        std::find_if(zeros.begin(), zeros.end(), [&](const Zeros& z) { return z.first <= n && n <= z.last; });
+    if (!w_.language.has("words.datum"))
+        w_.tell(w_.here, name + " is the zero point that is active there");
+    else if (words == zeros.end() || n < words->less)
+        w_.refuse(w_.here, name + " has no counterpart there", "use one that both controls have");
+    else
+        w_.say(filled(words->text, {{"number", std::to_string(n - words->less)}}));
 }
 
 void BlockWords::no_move() {

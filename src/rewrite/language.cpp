@@ -60,6 +60,19 @@ std::optional<Pool> pool_of(std::string_view text) {
                 static_cast<std::uint32_t>(*last)};
 }
 
+/// Its other keys, and what is wrong in these, are of the post.
+void read_zeros(const shop::Value& table, Language& l) {
+    base::Diagnostics of_the_post;
+    Section s(table, "[[datum]]", of_the_post);
+    constexpr int most = 100'000;
+    const auto first = s.integer("from", 0, most), less = s.integer("less", 0, most);
+    const auto last = s.integer("to", 0, most);
+    const std::optional<std::string> text = s.text("text");
+    if (!first || !text || text->empty()) return;
+    const auto number = [](std::int64_t n) { return static_cast<std::uint32_t>(n); };
+    l.zeros.push_back({number(*first), number(last.value_or(*first)), number(less.value_or(0)), *text});
+}
+
 std::vector<Pool> pools_of(Section& s, std::string_view key) {
     std::vector<Pool> out;
     for (const shop::Value* v : s.text_values(key)) {
@@ -183,6 +196,7 @@ std::optional<Language> read_language(std::uint32_t file, const base::Sources& s
         Section s(*table, "[[cycle-program]]", own);
         read_cycle_program(s, l);
     }
+    for (const shop::Value* table : section.tables("datum")) read_zeros(*table, l);
     for (const base::Diagnostic& d : own.all()) diagnostics.add(d);
     if (own.has_errors()) return std::nullopt;
     if (l.has("expressions.assign") && l.has("flow.end")) return l;

@@ -22,6 +22,12 @@ struct Pool {
     std::uint32_t first = 0, last = 0;
 };
 
+/// Zeros of the stream (docs/cl-stream.md) and their words: G54.1 P{number}, from 5401, less 5400.
+struct Zeros {
+    std::uint32_t first = 0, last = 0, less = 0;
+    std::string text;
+};
+
 /// Where a program's own variables live.
 enum class LocalPlace : std::uint8_t {
     file,     ///< numbered, the whole file has them in common: no two programs may use the same
@@ -53,6 +59,7 @@ struct Language {
     bool numbered_labels = false, numbered_programs = false;
     bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
     int step = 0;               ///< of block numbers; 0: blocks have none
+    std::vector<Zeros> zeros;   ///< as translations by motion write them; none: the control has one
     std::vector<Pool> global, local;
     LocalPlace local_place = LocalPlace::program;
     std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103

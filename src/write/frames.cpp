@@ -54,6 +54,17 @@ std::optional<Pieces> pieces_of(const std::array<double, 9>& l) {
     return p;
 }
 
+/// Mirrors of two axes turn by half a turn: what is called a mirror is one in each axis whose sign changes.
+std::optional<Pieces> mirrors_of(const std::array<double, 9>& l) {
+    Pieces p;
+    for (std::size_t i = 0; i < 9; ++i) {
+        const bool diagonal = i % 4 == 0;
+        if (std::abs(std::abs(l[i]) - (diagonal ? 1 : 0)) > frame_noise) return std::nullopt;
+        if (diagonal) p.factor[i / 4] = l[i] < 0 ? -1 : 1;
+    }
+    return p;
+}
+
 bool is_identity(const std::array<double, 9>& m) {
     for (std::size_t i = 0; i < 9; ++i)
         if (std::abs(m[i] - (i % 4 == 0 ? 1 : 0)) > frame_noise) return false;
@@ -103,7 +114,8 @@ bool frame_values(const cl::FramePart& part, Values& values) {
     const geom::Frame& f = part.frame;
     values.clear();
     if (!geom::is_finite(f.origin)) return false;
-    const auto pieces = pieces_of(f.linear);
+    auto pieces = part.kind == cl::FrameKind::mirror ? mirrors_of(f.linear) : std::nullopt;
+    if (!pieces) pieces = pieces_of(f.linear);
     if (!pieces) return false;
     values.set(Value::shift_x, f.origin.x);
     values.set(Value::shift_y, f.origin.y);

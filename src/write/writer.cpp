@@ -117,6 +117,7 @@ void Writer::take(const cl::Record& record) {
 }
 
 void Writer::take_written(const cl::Record& record) {
+    if (stop_waits_ && !is_of_stop(record)) write_stop();
     now_ = &record;
     remember_topic(record.step);
     if (folding_ > 0) {
@@ -288,16 +289,33 @@ void Writer::event(const cl::Dwell& dwell) {
 }
 
 void Writer::event(const cl::Stop& stop) {
+    if (stop.kind != cl::StopKind::end) {
+        stop_waits_ = *now_;
+        return;
+    }
     write_all();
     values_.clear();
-    const bool end = stop.kind == cl::StopKind::end;
-    ended_ = ended_ || end;
-    print(end                                  ? Command::stop_end
-          : stop.kind == cl::StopKind::program ? Command::stop_program
-                                               : Command::stop_optional,
-          "a stop");
-    if (end) spill_parts();
-    if (!end) stop_spindle(post_.stop_stops_spindle);
+    ended_ = true;
+    print(Command::stop_end, "a stop");
+    spill_parts();
+}
+
+/// What its block does besides holds while the machine stands, and is written before it.
+bool Writer::is_of_stop(const cl::Record& record) const {
+    const bool holds =
+        std::holds_alternative<cl::Spindle>(record.step) || std::holds_alternative<cl::Coolant>(record.step);
+    return holds && stop_waits_->from == record.from && stop_waits_->stack == record.stack;
+}
+
+void Writer::write_stop() {
+    const cl::Record record = *std::exchange(stop_waits_, std::nullopt);
+    const cl::Record* now = std::exchange(now_, &record);
+    write_all();
+    values_.clear();
+    const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
+    print(optional ? Command::stop_optional : Command::stop_program, "a stop");
+    stop_spindle(post_.stop_stops_spindle);
+    now_ = now;
 }
 
 void Writer::event(const cl::Override& allowed) {
@@ -396,6 +414,7 @@ void Writer::event(const cl::Comment& comment) {
 
 void Writer::finish() {
     if (stairs_) stairs_->finish();
+    if (stop_waits_) write_stop();
     flush_held();
     if (!ended_) write_all();
     if (!ended_ && cursor_.moves() > 0) end_cycles();

@@ -124,6 +124,8 @@ private:
     void event(const cl::Arc&) {}
     void event(const cl::Spline&) {}
     void event(const cl::Thread&) {}
+    [[nodiscard]] bool is_of_stop(const cl::Record& record) const;
+    void write_stop();
     void end_fold();
     [[nodiscard]] bool is_made(const cl::Record& record);
     void flush_held();
@@ -275,6 +277,7 @@ private:
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
     bool ended_ = false;
+    std::optional<cl::Record> stop_waits_;  ///< for what else its block does
 
     std::array<Source, static_cast<std::size_t>(Topic::count)> topics_{};
     const Source* about_ = nullptr;

@@ -81,9 +81,10 @@ void Writer::write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl:
 void Writer::write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner) {
     end_cycles();
     if (!cuts_of(arc, from).empty()) return write_cut_arc(arc, from, corner);
-    const Template& form = post_[Command::arc_cw];
+    const bool rises = std::abs(geom::dot(arc.to - from, arc.normal)) > 1e-9;
+    const Template& form = post_[rises && post_.has(Command::helix_cw) ? Command::helix_cw : Command::arc_cw];
     const bool says_turns = says(form, index_of(Value::turns)) || says(form, index_of(Value::more_turns)) ||
-                            says(post_[Command::helix_cw], index_of(Value::sweep));
+                            says(form, index_of(Value::sweep));
     const double turns = std::ceil(std::abs(arc.sweep) / geom::full_turn - 1e-9);
     if (says_turns || !(turns > 1)) return write_turn(arc, from, corner);
     lose_axes();

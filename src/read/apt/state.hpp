@@ -73,6 +73,7 @@ struct State {
     std::uint32_t cutter_begin = 0, cutter_end = 0;
     bool tool_has_size = false, moved_with_tool = false, turns = false;
     int spindle = 3;  ///< M3, M4: the direction that ON means
+    int coolant = 9;  ///< M7, M8, M9: as the text has it
     bool surface = false;
     double speed = 0;  ///< of the spindle in 1/min; 0: not known
     std::optional<std::array<double, 12>> placement;

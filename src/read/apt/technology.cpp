@@ -148,7 +148,14 @@ void read_coolant(State& s, const Arguments& a) {
     if (word == "OFF") m = 9;
     if (m == 0 || (a.begin() != a.end() && a.begin() + 1 != a.end()))
         return refuse(s, "flood, mist and off are what is known of coolant here");
+    // On controls M7 and M8 add up, while one word of this names the kind.
+    const bool changes = m != 9 && s.coolant != 9 && m != s.coolant;
+    if (changes)
+        assume(s, s.line.begin, s.line.end, "another kind of coolant behind the first is taken to stand in its place",
+               "let the CAM system write COOLNT/OFF between them");
+    s.coolant = m;
     begin_block(s);
+    if (changes) s.build.literal(Code::m, 9, s.line.begin, s.line.end);
     s.build.literal(Code::m, m, s.line.begin, s.line.end);
     end_block(s);
 }

@@ -1,0 +1,33 @@
+#include "write/lesser.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace obrys::write {
+
+namespace {
+
+/// Takes the words of these commands, the last one included; false where the post has none of them.
+bool take_words(Post& post, Command first, Command last) {
+    bool any = false;
+    for (auto c = static_cast<std::size_t>(first); c <= static_cast<std::size_t>(last); ++c) {
+        any = any || post.has(static_cast<Command>(c));
+        post.commands[c].clear();
+        post.hooked.erase(static_cast<Command>(c));
+    }
+    return any;
+}
+
+}  // namespace
+
+bool leave_out_frames(Post& post) { return take_words(post, Command::shift, Command::programmed_off); }
+
+double half_step(const Post& post, std::string_view style) {
+    const std::vector<std::string>& names = post.grammar.style_names;
+    for (std::size_t i = 0; i < names.size() && i < post.styles.size(); ++i)
+        if (names[i] == style)
+            return 0.5 * std::pow(10.0, -post.styles[i].decimals) / std::max(std::abs(post.styles[i].factor), 1e-9);
+    return 0;
+}
+
+}  // namespace obrys::write

@@ -1,0 +1,16 @@
+#pragma once
+/// A post that says less by words of its own: what its control does otherwise than the program is written by its moves.
+
+#include <string_view>
+
+#include "write/post.hpp"
+
+namespace obrys::write {
+
+/// Takes the post's words for frames; false where it has none.
+[[nodiscard]] bool leave_out_frames(Post& post);
+
+/// Half of the last decimal of a style of numbers, in the unit of the values; 0 where the post has no such style.
+[[nodiscard]] double half_step(const Post& post, std::string_view style);
+
+}  // namespace obrys::write
