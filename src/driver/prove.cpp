@@ -239,13 +239,13 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
         if (!at) break;
         const bool lost = out.translated.ledger.has_lost();
         const UsedForm* form = form_before(out.translated, *at, tolerance.length);
-        const std::optional<UsedForm> used = form != nullptr ? std::optional(*form) : std::nullopt;
+        const std::optional<UsedForm> last = form != nullptr ? std::optional(*form) : std::nullopt;
         const auto helps = [&](const write::Post& other) {
             by(other);
             const std::optional<std::size_t> now = differs_at(out.proved);
             return (!now || *now > *at) && (lost || !out.translated.ledger.has_lost());
         };
-        std::optional<write::Post> better = by_less(less, used, helps);
+        std::optional<write::Post> better = by_less(less, last, helps);
         if (!better) {
             by(less);  // it is something else that differs
             break;
