@@ -154,10 +154,13 @@ void read_coolant(State& s, const Arguments& a) {
         assume(s, s.line.begin, s.line.end, "another kind of coolant behind the first is taken to stand in its place",
                "let the CAM system write COOLNT/OFF between them");
     s.coolant = m;
-    begin_block(s);
-    if (changes) s.build.literal(Code::m, 9, s.line.begin, s.line.end);
-    s.build.literal(Code::m, m, s.line.begin, s.line.end);
-    end_block(s);
+    const auto block_of = [&](int function) {  // two of one block have an order of their own
+        begin_block(s);
+        s.build.literal(Code::m, function, s.line.begin, s.line.end);
+        end_block(s);
+    };
+    if (changes) block_of(9);
+    block_of(m);
 }
 
 void read_delay(State& s, const Arguments& a) {
