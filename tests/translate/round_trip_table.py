@@ -19,7 +19,7 @@ A program *runs* where `obrys run` says exit code 0: understood as a whole, noth
 equality says little: they are counted, and not in the shares.
 
 What is written for LinuxCNC also runs in LinuxCNC's own rs274 (`tests/translate/rs274_referee.py`): the moves of all but four of the programs that rs274 takes end at the same places as those of the program that they come
-from; the four are those in which the cycles of lathes begin elsewhere (named in that script).
+from; the four are named in that script, with why.
 
 """
 SAME = ("equal", "done the same")
