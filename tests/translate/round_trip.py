@@ -193,7 +193,7 @@ SAME = ("equal", "done the same")
 
 def summary(outcomes):
     """(programs that run and move, of these equal, done the same)"""
-    run = [o for o in outcomes if o.code == 0 and o.moves > 0]
+    run = [o for o in outcomes if o.code == 0 and o.moves > 0 and o.kind != round_trip_table.NOT_READ]
     return len(run), sum(o.kind == "equal" for o in run), sum(o.kind == "done the same" for o in run)
 
 
