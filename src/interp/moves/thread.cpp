@@ -68,6 +68,7 @@ bool rigid_tap(Moving& run) {
     const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
     cl::Thread t;
     t.pitch = run.block.get(Code::k) * length_unit(run.modal);
+    if (run.spindle.direction < 0) t.pitch = -t.pitch;  // M4: a left-hand thread
     t.rigid_tap = true;
     tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     for (const geom::Vec3& p : {to, from}) {
