@@ -99,6 +99,25 @@ bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
 }
 
+/// What holds in the move. A rigid tap is coupled to the spindle on its way back as on its way in: whether a program
+/// says that the spindle is reversed for it, or the word of the tap does that, makes no difference; nor does it whether
+/// the spindle turns again before or behind the rapid that leads out of the hole.
+std::shared_ptr<const Holding> Path::holding_of(const cl::Step& step) {
+    const auto* thread = std::get_if<cl::Thread>(&step);
+    const bool taps = thread != nullptr && thread->rigid_tap;
+    const bool back = taps && tap_ == Tap::in, out = !taps && tap_ == Tap::back && cl::is_rapid(step);
+    tap_ = back ? Tap::back : taps ? Tap::in : Tap::none;
+    if (tap_ == Tap::in) tap_sense_ = holding_->spindle;
+    if ((!back && !out) || tap_sense_.direction == 0) return holding_;
+    if (back && holding_->spindle.direction == 0) return holding_;
+    Holding coupled = *holding_;
+    if (out)
+        coupled.spindle = tap_sense_;
+    else
+        coupled.spindle.direction = tap_sense_.direction;
+    return std::make_shared<const Holding>(std::move(coupled));
+}
+
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
@@ -116,7 +135,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         arc.sweep += next.sweep;
     } else {
         if (std::holds_alternative<cl::Arc>(record.step)) arc_from_ = at_.value_or(geom::Vec3{NAN, NAN, NAN});
-        moves.push_back({record.step, std::exchange(axes_, {}), holding_, record.from, record.stack});
+        moves.push_back({record.step, std::exchange(axes_, {}), holding_of(record.step), record.from, record.stack});
     }
     at_ = to;
     tilts_ = false;

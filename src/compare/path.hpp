@@ -71,14 +71,18 @@ private:
     void take_tool_data(const cl::Record& record, const cl::ToolData& data);
     void take_item(Kept<Item>& items, cl::Step step, const cl::Record& record);
     [[nodiscard]] bool goes_on(const cl::Record& record) const;
+    [[nodiscard]] std::shared_ptr<const Holding> holding_of(const cl::Step& step);
     void hold();
 
     double same_place_;
     motion::Cursor cursor_;
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
-    Holding marked_;                      ///< the same, with numbers in the place of those that nobody knows
-    bool held_ = false;                   ///< nothing came since that would change it
-    bool to_holder_ = false;              ///< the next move leads what holds the tool to a place of the machine
+    Holding marked_;          ///< the same, with numbers in the place of those that nobody knows
+    bool held_ = false;       ///< nothing came since that would change it
+    bool to_holder_ = false;  ///< the next move leads what holds the tool to a place of the machine
+    enum class Tap : std::uint8_t { none, in, back };
+    Tap tap_ = Tap::none;                 ///< the last move, of a rigid tap
+    cl::Spindle tap_sense_;               ///< on its way in
     geom::Vec3 arc_from_;                 ///< where the last arc began
     std::optional<geom::Vec3> at_;        ///< end of the last move that counts
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there

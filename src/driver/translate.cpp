@@ -72,8 +72,7 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
-    d.text = file + "line " + std::to_string(note.line) + ": " + note.what +
-             (lost ? " is not written" : " " + std::string(note.instead));
+    d.text = file + "line " + std::to_string(note.line) + ": " + write::sentence_of(note);
     return d;
 }
 

@@ -28,4 +28,7 @@ struct Note {
     std::optional<base::Span> in_post{};                   ///< where a function of the post has failed
 };
 
+/// "a move is not written: the post has no motion.tap"; of what is expanded with what stands `instead`.
+[[nodiscard]] std::string sentence_of(const Note& note);
+
 }  // namespace obrys::write

@@ -45,6 +45,7 @@ struct CycleForm {
     Template define;                 ///< where the values are others than those of the last cycle
     Template call;                   ///< at each place
     bool moves_over = false;         ///< the call moves over the hole by itself
+    std::string stops_spindle;       ///< the word that is in force behind it (M5); empty: none comes into it
 };
 
 struct BlockNumbers {

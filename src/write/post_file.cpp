@@ -308,6 +308,7 @@ private:
             form.define = blocks(s, "define");
             form.call = blocks(s, "call");
             form.moves_over = s.boolean("moves_over").value_or(false);
+            form.stops_spindle = s.text("stops_spindle").value_or("");
             for (const shop::Value* kind : s.text_values("kind")) {
                 if (const auto known = cl::cycle_kind_spelt(kind->text))
                     post_.cycles[*known].push_back(form);

@@ -81,6 +81,14 @@ std::optional<Way> way_of(CycleKind kind) {
 
 bool is_canned(CycleKind kind) { return kind >= CycleKind::canned_drill && kind <= CycleKind::canned_bore_manual; }
 
+/// Where a rigid tap does not say how it turns and how far in a turn, it does so as the spindle and the feed say.
+void take_tap(Hole& h, Asked& asked, const motion::State& state) {
+    const bool per_minute = state.feed.mode == cl::FeedMode::per_minute && state.spindle.speed > 0;
+    h.direction = asked.find(Role::spindle_direction).value_or(state.spindle.direction);
+    h.pitch = asked.find(Role::pitch).value_or(per_minute ? h.feed / state.spindle.speed : 0);
+    asked.expect(h.direction != 0 && std::isfinite(h.pitch) && h.pitch > 0);
+}
+
 /// By a retract plane and a bottom; the feed is that in force.
 std::optional<Hole> of_canned(const cl::Cycle& cycle, Way way, const motion::State& state) {
     Asked asked(cycle);
@@ -94,10 +102,10 @@ std::optional<Hole> of_canned(const cl::Cycle& cycle, Way way, const motion::Sta
     if (way == Way::peck || way == Way::chip_break) h.infeed = asked.needed(Role::infeed);
     if (way == Way::peck) h.gap = asked.needed(Role::stop_distance_first);
     if (way == Way::chip_break) h.gap = asked.needed(Role::chip_break_distance);
-    if (way == Way::tap_floating || way == Way::tap_rigid) h.direction = asked.needed(Role::spindle_direction);
-    if (way == Way::tap_rigid) h.pitch = asked.needed(Role::pitch);
-    asked.pass({Role::starts_spindle});
+    if (way == Way::tap_floating) h.direction = asked.needed(Role::spindle_direction);
     h.feed = state.feed.value;
+    if (way == Way::tap_rigid) take_tap(h, asked, state);
+    asked.pass({Role::starts_spindle});
     const bool takes_feed = way != Way::tap_rigid;
     asked.expect(!takes_feed || (state.feed.mode == cl::FeedMode::per_minute && h.feed > 0));
     return asked.all_known() ? std::optional(h) : std::nullopt;
@@ -162,7 +170,7 @@ std::optional<Hole> of_depths(const cl::Cycle& cycle, Way way, const motion::Sta
         asked.expect(out == 0 || out == h.feed);
     }
     h.direction = state.spindle.direction;
-    if (h.direction == 0 && way == Way::tap_rigid) h.direction = h.pitch < 0 ? -1 : 1;
+    if (way == Way::tap_rigid) h.direction = h.pitch < 0 ? -1 : 1;
     h.pitch = std::abs(h.pitch);
     return asked.all_known() ? std::optional(h) : std::nullopt;
 }
@@ -251,7 +259,11 @@ std::vector<HoleWay> same_hole(const cl::Cycle& cycle, const motion::State& stat
     const bool canned = is_canned(cycle.kind);
     const std::optional<Hole> hole = canned ? of_canned(cycle, *way, state) : of_depths(cycle, *way, state);
     if (!hole || !(hole->top > hole->bottom)) return {};
-    if (canned) return as_depths(cycle, *hole);
+    if (canned) {
+        std::vector<HoleWay> out = as_depths(cycle, *hole);
+        if (cycle.kind == CycleKind::canned_tap_rigid) out.insert(out.begin(), as_canned(cycle, *hole));
+        return out;
+    }
     return {as_canned(cycle, *hole)};
 }
 

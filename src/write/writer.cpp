@@ -398,7 +398,7 @@ void Writer::event(const cl::Comment& comment) {
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
     if (!post_.has(command)) {
         Note left_out{Fate::expanded, "a comment: the post has no text.comment", {}, 0, 0};
-        left_out.instead = "and it is left out";
+        left_out.instead = "is left out";
         return note_at(std::move(left_out));
     }
     if (comment.message) write_all();  // it stands before the stop that it is for

@@ -203,6 +203,9 @@ private:
     void note_held_aside(const cl::Cycle& cycle);
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
     [[nodiscard]] bool fold_as(const cl::CycleBegin& begin, const HoleWay& way);
+    [[nodiscard]] bool fold_below(const cl::CycleBegin& begin, HoleWay way);
+    [[nodiscard]] int spindle_word(const Template& call) const;
+    void end_tap();
     [[nodiscard]] bool is_again(const Template& call, const Parts& parts);
     void set_values(const HoleWay& way, const geom::Vec3& at);
 
@@ -265,6 +268,9 @@ private:
     std::vector<cl::Axis> axes_;           ///< that the next move takes along
     std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
     int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
+    double turning_speed_ = 0;             ///< 1/min, of the spindle when it turned last
+    bool rises_ = false;                   ///< the cycle that was written ends below where the tool stands behind it
+    std::string tap_stops_;                ///< the tap that was written stops the spindle by itself: the word for that
     bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
     geom::Vec3 tap_from_;                  ///< where that one began
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say

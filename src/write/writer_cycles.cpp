@@ -74,7 +74,7 @@ const CycleForm* Writer::cycle_form(const cl::Cycle& cycle) const {
     for (const CycleForm& form : forms->second)
         if (std::all_of(form.when.begin(), form.when.end(), [&](const Condition& c) { return holds(c, cycle); }) &&
             says_all(form, cycle))
-            return &form;
+            return form.call.empty() ? nullptr : &form;
     return nullptr;
 }
 
@@ -94,7 +94,9 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
     }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
     if (way.feed) values_.set(Value::feed, *way.feed);
-    if (s.spindle.speed > 0) values_.set(Value::speed, s.spindle.speed);
+    // A tap turns the spindle with the speed with which it turned last.
+    if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) turning_speed_ = s.spindle.speed;
+    if (turning_speed_ > 0) values_.set(Value::speed, turning_speed_);
 }
 
 /// Where the tool stood when the series began, or stands when it begins with a cycle now. Of a way over the hole its
@@ -142,7 +144,33 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (cursor_.state().compensation) return false;
     if (fold_as(begin, {*begin.cycle})) return true;
     const std::vector<HoleWay> others = same_hole(*begin.cycle, cursor_.state());
-    return std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_as(begin, way); });
+    if (std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_as(begin, way); })) return true;
+    return std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_below(begin, way); });
+}
+
+/// The control ends at the retract plane: the way up from there is a move of its own.
+bool Writer::fold_below(const cl::CycleBegin& begin, HoleWay way) {
+    const std::size_t erased =
+        std::erase_if(way.cycle.values, [](const auto& v) { return v.role == cl::CycleRole::return_level; });
+    rises_ = erased != 0 && fold_as(begin, way);
+    return rises_;
+}
+
+/// A block of a cycle may turn the spindle on (G84.1 X Y Z M3): the sense, 0 where it does not.
+int Writer::spindle_word(const Template& call) const {
+    const auto has = [](const Template& words, const std::string& literal) {
+        return std::any_of(words.begin(), words.end(), [&](const Block& block) {
+            return std::any_of(block.begin(), block.end(),
+                               [&](const Token& t) { return t.kind == Token::Kind::literal && t.before == literal; });
+        });
+    };
+    for (const Block& block : call)
+        for (const Token& t : block) {
+            if (t.kind != Token::Kind::literal) continue;
+            if (has(post_[Command::spindle_cw], t.before)) return 1;
+            if (has(post_[Command::spindle_ccw], t.before)) return -1;
+        }
+    return 0;
 }
 
 /// Nothing but the place differs from the last cycle of the series; what there is besides is remembered.
@@ -177,9 +205,11 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))
         return false;
+    // The spindle is not to turn before the tool is over the hole where it does not, and the length waits for a move.
+    const bool turns_on = cursor_.state().spindle.direction == 0 && spindle_word(form->call) != 0;
     const auto goes_over = [&] {
-        return form->moves_over && !held_.empty() && held_.back().record.from == now_->from &&
-               held_.back().record.stack == now_->stack;
+        return form->moves_over && !turns_on && !length_waits_ && !held_.empty() &&
+               held_.back().record.from == now_->from && held_.back().record.stack == now_->stack;
     };
     end_series_that_says_more(*form);
     const double level = level_of_series(goes_over());
@@ -214,6 +244,9 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     if (folded_) folded_({cycle.kind, form == &said ? nullptr : form});
     in_cycles_ = post_.has(Command::cycle_end);
     series_level_ = level;
+    if (const int turns = spindle_word(form->call); turns != 0) spindle_.direction = turns > 0 ? 1 : -1;
+    tap_stops_ = form->stops_spindle;
+    if (!tap_stops_.empty()) stop_spindle(tap_stops_);
     return true;
 }
 
@@ -298,6 +331,7 @@ void Writer::end_fold() {
     if (lead_) print_lead();
     printer_.forget_coordinates();
     const geom::Vec3 at = frames_.programmed(cursor_.position().here());
+    if (std::exchange(rises_, false)) return write_line(cursor_.position().here(), true);
     if (!cycle || !post_.place_known_behind_cycle || !geom::is_finite(at)) return;
     values_.clear();
     values_.set(Value::x, at.x);

@@ -15,7 +15,7 @@ bool Writer::place_tool(const cl::ToolChange& change, const std::string& what) {
     std::string why;
     const MagazineSlot* slot = magazine_->take(change.number, why);
     if (slot == nullptr) {
-        note(Fate::lost, what + ": " + why + ": it");
+        note(Fate::lost, what + ": " + why);
         return false;
     }
     slot_ = slot;

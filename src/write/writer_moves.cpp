@@ -138,7 +138,9 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         if (c->sharp) values_.set(Value::sharp, 1);
     }
     if (corner != nullptr) {
-        if (!post_.has(corner_command(*corner))) note(Fate::lost, "a chamfer or rounding of a compensated contour");
+        if (const Command wanted = corner_command(*corner); !post_.has(wanted))
+            note(Fate::lost,
+                 "a chamfer or rounding of a compensated contour: the post has no " + std::string(name_of(wanted)));
         values_.set(Value::size, corner->size);
         if (corner->corner_feed != 0) values_.set(Value::own_feed, corner->corner_feed);
     }

@@ -19,7 +19,7 @@ void Writer::write_state() {
     write_length();
     write_frame();
     await_coolant();
-    write_spindle();
+    if (!tap_returns_) write_spindle();  // reversed by the word of the tap
     if (!coolant_may_wait_) write_coolant();
     write_tolerance();
     write_path();
@@ -31,6 +31,12 @@ void Writer::stop_spindle(const std::string& word) {
     spindle_.direction = 0;
     spindle_.held.reset();
     printer_.force(word);
+}
+
+/// The spindle is not to be turned on by a word of its own within a series of taps.
+void Writer::end_tap() {
+    if (std::exchange(tap_stops_, {}).empty()) return;
+    end_cycles();
 }
 
 void Writer::write_standing(const cl::ToolChange& change) {
@@ -248,6 +254,7 @@ void Writer::write_spindle() {
         same(s.held.value_or(0), spindle_.held.value_or(0)))
         return;
     const bool leaves = spindle_.mode == cl::SpindleMode::surface && s.mode == cl::SpindleMode::rpm;
+    if (s.direction != 0) end_tap();
     spindle_ = s;
     values_.clear();
     if (leaves && !post_[Command::leave_surface].empty())

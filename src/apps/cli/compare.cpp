@@ -84,6 +84,14 @@ bool does_the_same(const Compared& c) {
                         [](const compare::Difference& d) { return compare::is_done(d.aspect); });
 }
 
+/// What the exit code says; what is said otherwise (zeros, cycles) makes no difference to the machine.
+std::string verdict_line(int code, bool same) {
+    if (code == 3)
+        return std::string("not fully compared: something of either was not understood or not run") +
+               (same ? "\n" : "; what was compared differs\n");
+    return same ? "the machine does the same\n" : "the machine does not do the same\n";
+}
+
 }  // namespace
 
 int compare(const Arguments& arguments) {
@@ -100,12 +108,12 @@ int compare(const Arguments& arguments) {
     const int code_a = driver::exit_code_of_run(a.session), code_b = driver::exit_code_of_run(b.session);
     if (code_a == 2 || code_b == 2) return 2;
     c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request}, c.moves, tolerance.length);
-    driver::OutputFile out(arguments.output);
-    out.write(arguments.format == "json" ? compared_json(c) : compared_text(c));
-    if (!deliver(arguments.output, out)) return 2;
-    if (!deliver_picture(arguments, c, {a.session, a.request}, {b.session, b.request})) return 2;
     // Of a run that an alarm has ended nothing behind it is compared.
-    return code_a != 0 || code_b != 0 || c.stock.is_missed ? 3 : does_the_same(c) ? 0 : 1;
+    const int code = code_a != 0 || code_b != 0 || c.stock.is_missed ? 3 : does_the_same(c) ? 0 : 1;
+    driver::OutputFile out(arguments.output);
+    out.write(arguments.format == "json" ? compared_json(c) : compared_text(c) + verdict_line(code, does_the_same(c)));
+    if (!deliver(arguments.output, out)) return 2;
+    return deliver_picture(arguments, c, {a.session, a.request}, {b.session, b.request}) ? code : 2;
 }
 
 }  // namespace obrys::cli

@@ -58,8 +58,7 @@ std::optional<write::Post> read_named(const Arguments& a, driver::Session& s) {
 }
 
 std::string note_line(const write::Note& n, const driver::Session& s) {
-    const bool lost = n.fate == write::Fate::lost;
-    std::string out = n.what + (lost ? " is not written" : " is written by its moves");
+    const std::string out = write::sentence_of(n);
     if (!n.in_post) return out;
     const base::Position at = s.sources.position(*n.in_post);
     return s.sources[n.in_post->file].name + ":" + std::to_string(at.line) + ":" + std::to_string(at.column) + ": " +

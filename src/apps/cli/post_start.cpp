@@ -49,10 +49,11 @@ constexpr const char* start_of_post =
 
 # A way of writing a kind of cycle of its own, which is looked at before those of the post it extends:
 # [[cycle]]
-# kind = "drill"
-# when = "!dwell-bottom"
-# call = "G81 X{x!} Y{y!} Z{depth} R{clearance} F{feed-plunge}"
-# unsaid = ["surface", "second-clearance", "infeed", "dwell-top", "depth-reference"]
+# kind = "canned-drill"
+# when = "dwell-bottom"
+# call = "{return-level?G98|G99} G82 X{x!} Y{y!} Z{bottom} R{retract-plane} P{dwell-bottom*1000:whole} {feed}"
+# unsaid = "surface"
+# moves_over = true
 
 # What tables cannot say; functions get the values of the command and return a block, a list of blocks, or nothing.
 # [lua]

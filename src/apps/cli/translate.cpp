@@ -23,7 +23,8 @@ void print(const driver::Settled& settled, const write::Post& post) {
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s%s: %zu moves, run again as %s, within %g mm%s\n", verdict_of(proved),
+        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s\n",
+                     t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
                      proved.feeds_rounded ? ", feeds as their words hold them" : "");
 }

@@ -50,7 +50,8 @@ constexpr std::array by_hand{CycleValue{CycleRole::manual_retract, 1}};
 constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
 constexpr std::array left{CycleValue{CycleRole::spindle_direction, -1}, CycleValue{CycleRole::starts_spindle, 1}};
 
-/// Without M29 the program turns the spindle on before the cycle; with it the cycle does ("rigid tapping").
+/// Without M29 the program turns the spindle on before the cycle, and taps with a floating holder; with it the cycle
+/// turns it, coupled to the axis ("rigid tapping"). Haas always taps so.
 constexpr std::array turned_right{CycleValue{CycleRole::spindle_direction, 1},
                                   CycleValue{CycleRole::starts_spindle, 2}};
 constexpr std::array turned_left{CycleValue{CycleRole::spindle_direction, -1},
@@ -70,18 +71,18 @@ constexpr std::array mill{
     CannedCycle{870, CycleKind::canned_back_bore, "G87", back, unshifted},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, by_hand},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
-    CannedCycle{740, CycleKind::canned_tap_floating, "G74", dwells, left},
-    CannedCycle{840, CycleKind::canned_tap_floating, "G84", dwells, right},
+    CannedCycle{740, CycleKind::canned_tap_rigid, "G74", dwells, left},
+    CannedCycle{840, CycleKind::canned_tap_rigid, "G84", dwells, right},
 };
 /// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
 constexpr std::array haas{
     CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_pecks, chip_break},
-    CannedCycle{740, CycleKind::canned_tap_floating, "G74", haas_taps, left},
+    CannedCycle{740, CycleKind::canned_tap_rigid, "G74", haas_taps, left},
     CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, unshifted},
     CannedCycle{810, CycleKind::canned_drill, "G81", plain, {}},
     CannedCycle{820, CycleKind::canned_drill, "G82", dwells, {}},
     CannedCycle{830, CycleKind::canned_peck, "G83", haas_pecks, stop_above},
-    CannedCycle{840, CycleKind::canned_tap_floating, "G84", haas_taps, right},
+    CannedCycle{840, CycleKind::canned_tap_rigid, "G84", haas_taps, right},
     CannedCycle{850, CycleKind::canned_bore_feed, "G85", plain, {}},
     CannedCycle{860, CycleKind::canned_bore_stop, "G86", plain, {}},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, by_hand},

@@ -170,6 +170,8 @@ cycles::Demand told(cycles::Demand d) {
 /// The steps of one hole; the cycle begins over it. Overrides are off while a tap is in it.
 void emit_hole(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
                const WayOfCall& calling) {
+    // A rigid tap that turns the spindle on leaves it standing: another speed alone does not turn it.
+    const bool stops = c.kind == cl::CycleKind::canned_tap_rigid && demand.get(CycleRole::starts_spindle, 0) == 1;
     bool in_hole = false;
     if (e.steps.empty()) begin_bracket(run, told(demand), c.name, calling);  // not simulated
     for (std::size_t i = 0; i < e.steps.size(); ++i) {
@@ -179,7 +181,10 @@ void emit_hole(Telling& run, const program::CannedCycle& c, const cycles::Demand
         const bool feeds = cl::is_move(step) && !cl::is_rapid(step);
         if (feeds && !in_hole && taps(c.kind)) overrides(run, 0);
         in_hole = in_hole || feeds;
-        if (const auto* s = std::get_if<cl::Spindle>(&step)) tell(run, SettingKind::spindle_turn, s->direction);
+        if (const auto* s = std::get_if<cl::Spindle>(&step)) {
+            tell(run, SettingKind::spindle_turn, s->direction);
+            if (stops) run.spindle.direction = s->direction;
+        }
         const bool out = in_hole && cl::is_rapid(step) && taps(c.kind);
         if (out) {
             overrides(run, 1);

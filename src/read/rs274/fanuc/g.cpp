@@ -65,6 +65,7 @@ void follow(FanucState& s, const FanucG& g) {
     const bool moves = g.special == FanucSpecial::none || g.special == FanucSpecial::thread ||
                        g.special == FanucSpecial::turning_cycle;
     if (!moves) return;
+    if (s.hole != 0) s.rigid = false;
     s.hole = 0;
     s.turning = 0;
     s.cleared_cycle = false;
@@ -169,6 +170,7 @@ void read_m_code(FanucState& s, Address& a) {
     switch (m.use) {
         case FanucMUse::accepted:
             if (*n == 29) s.rigid = true;
+            if (*n == 29 && !s.control.haas) return;  // the cycle tells it
             accept(s, a);
             return put_value(s, Order::m_user, Code::m, a.value, a);
         case FanucMUse::refused: return add_problem(s, Code::unsupported, a.begin, a.end, m.says);
