@@ -6,6 +6,7 @@ usage: sizes.py <src>
 Functions are found by following braces, so the figures are those of clang-formatted code. A function that is only a
 table is excepted by a comment holding `sizes: table` in its first three lines.
 """
+import collections
 import pathlib
 import re
 import statistics
@@ -13,6 +14,9 @@ import sys
 
 FILE_MEDIAN, FILE_P95, FILE_MAX = 120, 350, 600
 FUNCTION_P95, FUNCTION_MAX = 35, 80
+FOLDER_MAX = 40  # sources without tests: more get a room (ADR 28)
+WHOLE_STATE_MAX = 10  # functions of interp that take all of a run's state (ADR 32)
+WHOLE_STATE = re.compile(r"^(?! )(?!struct|class)[^;=]*\b(?:Run|RunState)\s*&[^;]*\{", re.M)
 NOISE = re.compile(
     r'//[^\n]*|/\*.*?\*/|R"([^()\s]*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"|(?<![0-9a-fA-F])\'(?:\\.|[^\'\\\n])+\'|'
     r'^[ \t]*#(?:[^\n]*\\\n)*[^\n]*', re.S | re.M)
@@ -100,6 +104,13 @@ def main():
         print(f"{what:17} {value:6g} lines, limit {limit}")
         if value > limit:
             complaints.append(f"{what} is {value:g} lines, over {limit}")
+    sources = [n for n in files if n.endswith(".cpp") and not n.endswith("_test.cpp")]
+    folder, most = max(collections.Counter(n.rpartition("/")[0] for n in sources).items(), key=lambda f: f[1])
+    whole = sum(len(WHOLE_STATE.findall(bare((src / n).read_text(encoding="utf-8")))) for n in sources if n.startswith("interp/"))
+    for what, value, limit in (("sources of " + folder, most, FOLDER_MAX), ("functions of interp with the whole state", whole, WHOLE_STATE_MAX)):
+        print(f"{what}: {value}, limit {limit}")
+        if value > limit:
+            complaints.append(f"{what}: {value}, over {limit}")
     complaints += [f"{name}: {n} lines, over {FILE_MAX}" for name, n in files.items() if n > FILE_MAX]
     complaints += [f"{where}: {n} lines, over {FUNCTION_MAX}" for n, where in lengths if n > FUNCTION_MAX]
     for complaint in complaints:
