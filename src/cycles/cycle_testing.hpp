@@ -50,7 +50,7 @@ public:
     void operator()(const cl::Arc& s) { move("A" + number(geom::degrees(s.sweep)), s.to); }
     void operator()(const cl::Thread& s) { move("T" + number(s.pitch), s.to); }
     void operator()(const cl::Feed& s) { word("F" + number(s.value)); }
-    void operator()(const cl::Spindle& s) { word("S" + number(s.direction * s.speed)); }
+    void operator()(const cl::Spindle& s) { word("S" + number(s.direction * s.speed) + (s.held ? " held" : "")); }
     void operator()(const cl::Dwell& s) { word("D" + number(s.seconds)); }
     void operator()(const cl::Coolant& s) { word(s == cl::Coolant{} ? "M9" : "M8"); }
     void operator()(const cl::Auxiliary& s) { word("M" + number(double(s.number))); }

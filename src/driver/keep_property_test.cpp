@@ -116,7 +116,7 @@ std::string translated(const std::shared_ptr<Memory>& memory, const std::string&
     Session s;
     const Request request = request_of(memory, input);
     if (!open(request, s)) return {};
-    const auto post = find_post(to, s);
+    const auto post = find_post(to, s, PostFor::statements);
     const auto language = find_language(to, s);
     EXPECT_TRUE(post && language) << to;
     if (!post || !language) return {};

@@ -27,8 +27,8 @@ std::string without_blanks(std::string name) {
 }
 
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
-std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s) {
-    const bool for_mills = post && (post->for_mills_alone || post->staircase);
+std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s, PostFor way) {
+    const bool for_mills = post && (post->staircase || (post->for_mills_alone && way == PostFor::moves));
     if (for_mills && s.job.machine.kind == shop::MachineKind::lathe) {
         complain(s.diagnostics, codes::job_value, {file, 0, 0},
                  std::string("this post is for mills") + (post->staircase ? " that move one axis at a time" : "") +
@@ -54,14 +54,14 @@ std::optional<std::uint32_t> load_post(const std::string& name, Session& s) {
     return std::nullopt;
 }
 
-std::optional<write::Post> find_post(const std::string& name, Session& s) {
+std::optional<write::Post> find_post(const std::string& name, Session& s, PostFor way) {
     const std::optional<std::uint32_t> file = load_post(name, s);
     const auto beside_it = [&](const std::string& other, const base::Span& where) {
         return load(*s.storage, beside(name, other), s.sources, s.diagnostics, where);
     };
     if (!file) return std::nullopt;
-    if (!name.ends_with(".toml")) return checked(write::read_post(*file, s.sources, s.diagnostics), *file, s);
-    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s);
+    if (!name.ends_with(".toml")) return checked(write::read_post(*file, s.sources, s.diagnostics), *file, s, way);
+    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s, way);
 }
 
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {

@@ -17,10 +17,13 @@
 
 namespace obrys::driver {
 
+/// Statements of a lathe's program may also be said by a post that is for the moves of mills alone.
+enum class PostFor : std::uint8_t { moves, statements };
 /// The post that a call names: a shipped one, a file (.toml), or the name of a control, which stands for that of its
 /// mills or lathes; "same" is the program's own. Nothing, with what is wrong in the session's diagnostics, where there
 /// is none.
-[[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session);
+[[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
+                                                   PostFor way = PostFor::moves);
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 

@@ -64,7 +64,8 @@ TEST(SameHole, PlaneAndBottomAreASurfaceAClearanceAndADepth) {
                                                  {Role::surface, 5.5},
                                                  {Role::pitch, 1},
                                                  {Role::spindle_direction, -1}}),
-              "tap-rigid, clearance 0.5, depth -0.5, pitch -1, second-clearance 0.5, surface 5.5");
+              "canned-tap-rigid, bottom 5, pitch 1, retract-plane 6, spindle-direction -1, surface 5.5tap-rigid, "
+              "clearance 0.5, depth -0.5, pitch -1, second-clearance 0.5, surface 5.5");
 }
 
 TEST(SameHole, ASurfaceAClearanceAndADepthAreAPlaneAndABottom) {

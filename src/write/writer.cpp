@@ -259,8 +259,12 @@ void Writer::event(const cl::CompensationBegin& begin) {
     if (plain_) return;
     compensation_ = compensation_of(begin);
     if (!compensation_ || !post_.has(*compensation_)) {
-        note(Fate::expanded, compensation_ ? std::string(radius_compensation)
-                                           : "radius compensation by a radius that the program says");
+        // Without a radius the run's moves are those of the contour itself, and no path of the tool.
+        if (!(std::abs(begin.radius) > 0))
+            note(Fate::lost, "radius compensation by a radius that is not known");
+        else
+            note(Fate::expanded, compensation_ ? std::string(radius_compensation)
+                                               : "radius compensation by a radius that the program says");
         compensation_.reset();
         plain_ = true;
     }

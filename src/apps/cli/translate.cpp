@@ -78,7 +78,8 @@ int translate(const Arguments& arguments) {
     a.into_folder = is_folder(a.output);
     driver::Session s;
     if (!open(a, s)) return 2;
-    const std::optional<write::Post> post = driver::find_post(a.to, s);
+    const std::optional<write::Post> post =
+        driver::find_post(a.to, s, a.keep ? driver::PostFor::statements : driver::PostFor::moves);
     if (!post) {
         print_diagnostics(s, base::Severity::warning);
         return 2;

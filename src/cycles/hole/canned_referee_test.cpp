@@ -42,6 +42,7 @@ struct ToCalls {
                          : s.direction > 0 ? "START_SPINDLE_CLOCKWISE"
                                            : "START_SPINDLE_COUNTERCLOCKWISE",
                          {}});
+        if (s.held) calls.push_back({"ORIENT_SPINDLE", {}});
     }
     void operator()(const cl::Auxiliary& s) { calls.push_back({s.number == 19 ? "ORIENT_SPINDLE" : "?", {}}); }
     void operator()(const cl::Stop&) { calls.push_back({"PROGRAM_STOP", {}}); }

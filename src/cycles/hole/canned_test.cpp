@@ -133,7 +133,7 @@ TEST(canned, Boring) {
     EXPECT_EQ(run(Kind::canned_bore_stop, bore, standing(20)), "R u11 v22 R w2 L w-10 S0 R w20 S1000");
     const Values shift = {{Role::shift_u, 0.5}, {Role::shift_v, 0}};
     EXPECT_EQ(run(Kind::canned_bore_orient, with(bore, shift), standing(20)),
-              "R u11 v22 R w2 L w-10 S0 M19 R u11.5 R w20 R u11 S1000");
+              "R u11 v22 R w2 L w-10 S0 held R u11.5 R w20 R u11 S1000");
     EXPECT_EQ(run(Kind::canned_bore_manual, bore, standing(20)), "R u11 v22 R w2 L w-10 S0 ? S1000");
     EXPECT_EQ(run(Kind::canned_bore_manual, with(bore, {{Role::manual_retract, 1}}), standing(20)),
               "R u11 v22 R w2 L w-10 S0 ? R w2 S1000 R w20");
@@ -144,7 +144,7 @@ TEST(canned, BackBoring) {
     const Values v = {{Role::target_u, 11}, {Role::target_v, 22}, {Role::bottom, -30}, {Role::counterbore_top, -25},
                       {Role::shift_u, 0},   {Role::shift_v, 3},   {Role::dwell, 1}};
     EXPECT_EQ(run(Kind::canned_back_bore, v, standing(20)),
-              "R u11 v22 S0 M19 R v25 R w-30 R v22 S1000 L w-25 D1 S0 M19 R v25 R w20 R v22 S1000");
+              "R u11 v22 S0 held R v25 R w-30 R v22 S1000 L w-25 D1 S0 held R v25 R w20 R v22 S1000");
 }
 
 TEST(canned, RetractPlaneBelowTheBottom) {
