@@ -23,6 +23,9 @@ KNOWN = {  # cycles of lathes whose start is where rs274's machine stands at fir
     "rs274/LinuxCNC__linuxcnc/nc_files/skeleton.ngc",
     # … and G70 under compensation, where rs274 first goes to the end of the contour (docs/dialects/linuxcnc.md)
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g70_71_demo.ngc",
+    # … and compensation that is written as the tool's path (a tool change behind G40 without a move between): the table
+    # of the stand-alone rs274 is in inches, so that its own radius is 25.4 times the one that this path was made with
+    "rs274/LinuxCNC__linuxcnc/nc_files/gmoccapy_2_tools_with_cutter_radius_compensation.ngc",
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_face_boring.ngc", "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_quadrants.ngc"}
 TOOLS = runner.Setting(tools=tuple((n, n, f"Z{n / 100:.2f} D0.02") for n in range(1, 100)))
 PRINTED = 1e-4  # in the program's unit
