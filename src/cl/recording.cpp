@@ -58,7 +58,7 @@ const std::byte* get_step(const std::byte* at, std::uint8_t kind, Step& step) {
 
 std::byte* Recording::room(std::size_t bytes) {
     if (blocks_.empty() || ends_.back() + bytes > block_size) {
-        blocks_.push_back(std::make_unique_for_overwrite<std::byte[]>(block_size));
+        blocks_.push_back(std::make_unique<std::byte[]>(block_size));
         ends_.push_back(0);
     }
     std::byte* at = blocks_.back().get() + ends_.back();
