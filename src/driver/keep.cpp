@@ -22,7 +22,7 @@ std::optional<rewrite::Language> find_language(const std::string& name, Session&
 
 Kept keep(Session& s, const rewrite::Language& language, const std::string& name) {
     Kept out;
-    out.translated.does = recording_of(s);  // which reads what it calls
+    out.translated.does = std::make_shared<const cl::Recording>(recording_of(s));  // which reads what it calls
     rewrite::Input input;
     input.main = s.main;
     input.find = [&s](std::string_view called) { return s.programs->find(called); };
@@ -171,7 +171,7 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     if (!open(own, run)) return out;
     Translated translated;
     translated.text = kept.translated.text;
-    translated.does = recording_of(run);
+    translated.does = std::make_shared<const cl::Recording>(recording_of(run));
     const NameMap map = map_of(kept.rewritten);
     const bool alarm = has_finding(run), unknown = is_unknown(run);
     out = prove(translated, post, own, run, tolerance, {mapped(own.set, map), mapped(run.job.variables, map)});

@@ -115,7 +115,7 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
         compare::Tolerance within = t;
         within.same_control = s.control == post.control;
         within.is_written_from_a = true;
-        out.compared = compare_with(translated.does, *out.run, within);
+        out.compared = compare_with(*translated.does, *out.run, within);
         return true;
     };
     if (!run(tolerance)) return out;
@@ -163,7 +163,7 @@ std::size_t records_to(std::size_t move, const cl::Recording& stream, double sam
 
 /// The form by which the last cycle before a move was written.
 const UsedForm* form_before(const Translated& t, std::size_t move, double same_place) {
-    const std::size_t records = records_to(move, t.does, same_place);
+    const std::size_t records = records_to(move, *t.does, same_place);
     const UsedForm* last = nullptr;
     for (const UsedForm& form : t.forms)
         if (form.record <= records) last = &form;
@@ -202,16 +202,27 @@ write::Post by_tool_path(write::Post post) {
     return post;
 }
 
-/// The post without the cycle's form, or without its frames: the first of them that helps.
-std::optional<write::Post> by_less(const write::Post& post, const std::optional<UsedForm>& form,
-                                   const std::function<bool(const write::Post&)>& helps) {
-    if (form) {
-        write::Post less = post;
-        leave_out(less, *form);
-        if (helps(less)) return less;
+/// A way of writing a program, and the post by which that was done.
+struct Version {
+    write::Post post;
+    Settled settled;
+};
+
+/// Ways of writing the same with less of the control's own, the likeliest first.
+std::vector<write::Post> lesser_posts(const Version& now, std::size_t differs, double same_place) {
+    std::vector<write::Post> out;
+    if (const UsedForm* form = form_before(now.settled.translated, differs, same_place)) {
+        out.push_back(now.post);
+        leave_out(out.back(), *form);
     }
-    if (write::Post less = post; write::leave_out_frames(less) && helps(less)) return less;
-    return std::nullopt;
+    if (write::Post frameless = now.post; write::leave_out_frames(frameless)) out.push_back(std::move(frameless));
+    return out;
+}
+
+/// It does the same for longer, and loses nothing that the other does not lose.
+bool is_better(const Settled& a, const Settled& b) {
+    const std::optional<std::size_t> at = differs_at(a.proved), before = differs_at(b.proved);
+    return (!at || (before && *at > *before)) && (b.translated.ledger.has_lost() || !a.translated.ledger.has_lost());
 }
 
 }  // namespace
@@ -219,44 +230,28 @@ std::optional<write::Post> by_less(const write::Post& post, const std::optional<
 Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
                   const compare::Tolerance& tolerance) {
     constexpr int most_attempts = 16;
-    Settled out{write_program(session, post, options), {}};
-    out.proved = hold_against(out.translated, post, request, session, tolerance);
-    const bool once = post.staircase || post.magazine;  // what is compared is not what was taken
-    const auto by = [&](const write::Post& other) {
-        out.translated = write_again(std::move(out.translated), other, options);
-        out.proved = hold_against(out.translated, other, request, session, tolerance);
+    Version best{post, {write_program(session, post, options), {}}};
+    best.settled.proved = hold_against(best.settled.translated, post, request, session, tolerance);
+    /// Whether it is better so; then it counts.
+    const auto better_by = [&](const write::Post& other) {
+        Settled next{write_again(best.settled.translated, other, options), {}};
+        next.proved = hold_against(next.translated, other, request, session, tolerance);
+        if (!is_better(next, best.settled)) return false;
+        best = {other, std::move(next)};
+        return true;
     };
-    write::Post less = post;
-    if (!once && may_go_by_tool_path(out)) {
-        const std::optional<std::size_t> at = differs_at(out.proved);
-        const bool lost = out.translated.ledger.has_lost();
-        less = by_tool_path(post);
-        by(less);
-        const std::optional<std::size_t> now = differs_at(out.proved);
-        const bool is_better = (!now || (at && *now > *at)) && (lost || !out.translated.ledger.has_lost());
-        if (!is_better) by(less = post);
-    }
+    const bool once = post.staircase || post.magazine;
+    if (!once && may_go_by_tool_path(best.settled)) static_cast<void>(better_by(by_tool_path(post)));
     for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
-        const std::optional<std::size_t> at = differs_at(out.proved);
+        const std::optional<std::size_t> at = differs_at(best.settled.proved);
         if (!at) break;
-        const bool lost = out.translated.ledger.has_lost();
-        const UsedForm* form = form_before(out.translated, *at, tolerance.length);
-        const std::optional<UsedForm> last = form != nullptr ? std::optional(*form) : std::nullopt;
-        const auto helps = [&](const write::Post& other) {
-            by(other);
-            const std::optional<std::size_t> now = differs_at(out.proved);
-            return (!now || *now > *at) && (lost || !out.translated.ledger.has_lost());
-        };
-        std::optional<write::Post> better = by_less(less, last, helps);
-        if (!better) {
-            by(less);  // it is something else that differs
-            break;
-        }
-        less = std::move(*better);
+        const std::vector<write::Post> lesser = lesser_posts(best, *at, tolerance.length);
+        if (std::none_of(lesser.begin(), lesser.end(), better_by)) break;  // it is something else that differs
     }
-    tell(session, out.translated);
-    if (out.proved.run != nullptr) complain_of(session, out.proved.compared, *out.proved.run);
-    return out;
+    tell(session, best.settled.translated);
+    if (best.settled.proved.run != nullptr)
+        complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
+    return std::move(best.settled);
 }
 
 Proved prove(const Translated& translated, const write::Post& post, Request request, Session& s,

@@ -82,8 +82,10 @@ namespace {
 Translated translate_to_canon(Session& session) {
     Translated out;
     const auto write = [&](std::string_view text) { out.text += text; };
+    cl::Recording does;
     const interp::Outcome outcome =
-        print_canon(session, write, false, [&](const cl::Record& record) { out.does.take(record); });
+        print_canon(session, write, false, [&](const cl::Record& record) { does.take(record); });
+    out.does = std::make_shared<const cl::Recording>(std::move(does));
     out.ending = outcome.ending;
     return out;
 }
@@ -116,10 +118,10 @@ UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t re
     return out;
 }
 
-/// Writes a stream, which `stream` hands to a sink. Where the post makes other moves of it (staircases), `out.does` are
-/// those.
+/// Writes a stream, which `stream` hands to a sink. `run`: what the post makes of it where those are other moves
+/// (staircases); null: nobody asks.
 void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
-                  const std::function<void(cl::Sink)>& stream) {
+                  const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr) {
     write::Output output;
     output.text = [&](std::string_view text) { out.text += text; };
     output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
@@ -132,12 +134,7 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
         const UsedForm now = used(by, post, taken);
         if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
     };
-    std::optional<write::Magazine> magazine;
-    if (post.magazine) magazine.emplace(*post.magazine);
-    if (post.staircase)
-        output.run = [&](const cl::Record& record) {
-            out.does.take(magazine ? by_its_place(record, *magazine) : record);
-        };
+    output.run = std::move(run);
     write::Writer writer(post, without_blanks(options.name), output);
     stream([&](const cl::Record& record) {
         ++taken;
@@ -154,24 +151,28 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
 Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options) {
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
+    cl::Recording does;
     std::optional<write::Magazine> magazine;
     if (post.magazine) magazine.emplace(*post.magazine);
-    write_stream(out, post, options, [&](cl::Sink sink) {
+    const auto keep = [&](const cl::Record& record) { does.take(magazine ? by_its_place(record, *magazine) : record); };
+    const auto stream = [&](cl::Sink sink) {
         const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
-            if (!post.staircase) out.does.take(magazine ? by_its_place(record, *magazine) : record);
+            if (!post.staircase) keep(record);
             sink(record);
         });
         out.ending = outcome.ending;
-    });
+    };
+    write_stream(out, post, options, stream, post.staircase ? std::function<void(const cl::Record&)>(keep) : nullptr);
+    out.does = std::make_shared<const cl::Recording>(std::move(does));
     return out;
 }
 
-Translated write_again(Translated&& first, const write::Post& post, const TranslateOptions& options) {
+Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options) {
     Translated out;
     out.ending = first.ending;
-    out.does = std::move(first.does);
+    out.does = first.does;
     write_stream(out, post, options, [&](cl::Sink sink) {
-        cl::Recording::Playback stream(out.does);
+        cl::Recording::Playback stream(*out.does);
         while (stream.step(sink)) {
         }
     });

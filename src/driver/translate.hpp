@@ -40,11 +40,11 @@ struct Translated {
     std::string text;
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
-    cl::Recording does;                    ///< what the program does; by a post with staircases what these do
-    write::Tape tape = write::Tape::none;  ///< in whose code it is to be delivered
-    std::string tools{};                   ///< with their places in the magazine and their offsets, for people
-    std::string stairs{};                  ///< what has become of slopes and arcs, for people; empty: nothing
-    std::vector<UsedForm> forms{};         ///< of cycles, where another one than before is used
+    std::shared_ptr<const cl::Recording> does;  ///< what the program does; by a post with staircases what these do
+    write::Tape tape = write::Tape::none;       ///< in whose code it is to be delivered
+    std::string tools{};                        ///< with their places in the magazine and their offsets, for people
+    std::string stairs{};                       ///< what has become of slopes and arcs, for people; empty: nothing
+    std::vector<UsedForm> forms{};              ///< of cycles, where another one than before is used
     interp::Ending ending = interp::Ending::regular;  ///< of the program
 };
 
@@ -54,8 +54,9 @@ struct TranslateOptions {
 };
 /// Runs the main program and writes it.
 [[nodiscard]] Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options);
-/// Writes what a program does once more, by another post.
-[[nodiscard]] Translated write_again(Translated&& first, const write::Post& post, const TranslateOptions& options);
+/// Writes what a program does once more, by another post; none with staircases or a magazine, whose `does` is another
+/// stream than what was taken.
+[[nodiscard]] Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options);
 /// Adds what is expanded or lost to the session's diagnostics, and what was not understood to the ledger. Once.
 void tell(Session& session, Translated& translated);
 
