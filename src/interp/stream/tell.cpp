@@ -10,33 +10,30 @@ namespace obrys::interp {
 
 using cl::SettingKind;
 
-void tell(Telling& run, SettingKind kind, int number, std::initializer_list<double> values) {
+namespace {
+
+template <class Numbers>
+void emit_setting(Telling& run, SettingKind kind, int number, const Numbers& values, int second = 0) {
     if (!run.env.tell_settings) return;
     cl::Setting s;
     s.kind = kind;
     s.number = number;
+    s.second = second;
     std::copy(values.begin(), values.end(), s.values.begin());
     emit(run, s);
+}
+
+}  // namespace
+
+void tell(Telling& run, SettingKind kind, int number, std::initializer_list<double> values) {
+    emit_setting(run, kind, number, values);
 }
 
 void tell_tool_entry(Telling& run, int place, int tool, std::initializer_list<double> values) {
-    if (!run.env.tell_settings) return;
-    cl::Setting s;
-    s.kind = SettingKind::tool_entry;
-    s.number = place;
-    s.second = tool;
-    std::copy(values.begin(), values.end(), s.values.begin());
-    emit(run, s);
+    emit_setting(run, SettingKind::tool_entry, place, values, tool);
 }
 
-void tell(Telling& run, SettingKind kind, int number, const Axes& values) {
-    if (!run.env.tell_settings) return;
-    cl::Setting s;
-    s.kind = kind;
-    s.number = number;
-    std::copy(values.begin(), values.end(), s.values.begin());
-    emit(run, s);
-}
+void tell(Telling& run, SettingKind kind, int number, const Axes& values) { emit_setting(run, kind, number, values); }
 
 namespace {
 

@@ -1,0 +1,185 @@
+/// What a record says besides moves and what holds while the tool moves: stops, dwells, functions, texts, data.
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+void Writer::event(const cl::ToolChange& change) {
+    tool_waits_ = !change.standing;
+    if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
+}
+
+/// What switches it on; nothing where the program says the radius itself and the post has no word for that.
+std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begin) const {
+    const bool left = begin.side == cl::CompensationSide::left;
+    if (!begin.given) return left ? Command::compensation_left : Command::compensation_right;
+    const Command command = left ? Command::compensation_left_by : Command::compensation_right_by;
+    return post_.has(command) ? std::optional(command) : std::nullopt;
+}
+
+void Writer::event(const cl::CompensationBegin& begin) {
+    if (plain_) return;
+    compensation_ = compensation_of(begin);
+    if (!compensation_ || !post_.has(*compensation_)) {
+        // Without a radius the run's moves are those of the contour itself, and no path of the tool.
+        if (!(std::abs(begin.radius) > 0))
+            note(Fate::lost, "radius compensation by a radius that is not known");
+        else
+            note(Fate::expanded, compensation_ ? std::string(radius_compensation)
+                                               : "radius compensation by a radius that the program says");
+        compensation_.reset();
+        plain_ = true;
+    }
+    contour_begun_ = false;
+    programmed_.clear();
+}
+
+void Writer::event(const cl::CompensationEnd&) {
+    if (!std::exchange(plain_, false)) compensation_ = Command::compensation_off;
+}
+
+void Writer::event(const cl::DatumData& data) {
+    write_all();
+    write_zero(data);
+}
+
+void Writer::event(const cl::Dwell& dwell) {
+    write_all();
+    values_.clear();
+    const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
+    if (std::isnan(turns ? dwell.revolutions : dwell.seconds))
+        return note(Fate::lost, "a dwell whose time is not known");
+    values_.set(Value::seconds, dwell.seconds);
+    values_.set(Value::revolutions, dwell.revolutions);
+    print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
+}
+
+void Writer::event(const cl::Stop& stop) {
+    if (stop.kind != cl::StopKind::end) {
+        stop_waits_ = *now_;
+        return;
+    }
+    write_all();
+    values_.clear();
+    ended_ = true;
+    print(Command::stop_end, "a stop");
+    spill_parts();
+}
+
+/// What its block does besides holds while the machine stands, and is written before it.
+bool Writer::is_of_stop(const cl::Record& record) const {
+    const bool holds =
+        std::holds_alternative<cl::Spindle>(record.step) || std::holds_alternative<cl::Coolant>(record.step);
+    return holds && stop_waits_->from == record.from && stop_waits_->stack == record.stack;
+}
+
+void Writer::write_stop() {
+    const cl::Record record = *std::exchange(stop_waits_, std::nullopt);
+    const cl::Record* now = std::exchange(now_, &record);
+    write_all();
+    values_.clear();
+    const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
+    print(optional ? Command::stop_optional : Command::stop_program, "a stop");
+    stop_spindle(post_.stop_stops_spindle);
+    now_ = now;
+}
+
+void Writer::event(const cl::Override& allowed) {
+    write_all();
+    constexpr std::array on{Command::override_feed, Command::override_spindle, Command::override_adaptive,
+                            Command::override_hold};
+    constexpr std::array off{Command::override_feed_off, Command::override_spindle_off, Command::override_adaptive_off,
+                             Command::override_hold_off};
+    values_.clear();
+    print((allowed.on ? on : off)[static_cast<std::size_t>(allowed.kind)], "what the operator may change");
+}
+
+void Writer::event(const cl::Auxiliary& aux) {
+    write_all();
+    values_.clear();
+    values_.set(Text::letter, std::string(1, aux.letter));
+    values_.set(Value::number, static_cast<double>(aux.number));
+    const std::string what = "function " + std::string(1, aux.letter) + std::to_string(aux.number);
+    const std::string& letters = post_.function_letters;
+    if (!letters.empty() && letters.find(aux.letter) == std::string::npos)
+        return note(Fate::lost, what + ": the control has no functions of this letter");
+    const auto is_of = [&](const std::vector<std::string>& list) {
+        return std::find(list.begin(), list.end(), what.substr(what.rfind(' ') + 1)) != list.end();
+    };
+    if (is_of(post_.functions_refused)) return note(Fate::lost, what + ", which means nothing to this control,");
+    const double speed = cursor_.state().spindle.speed;
+    if (is_of(post_.functions_with_speed) && speed > 0) values_.set(Value::speed, speed);
+    print(Command::function, what);
+}
+
+/// That a magazine brings a tool beforehand makes no difference to the path: where the post does not say it, it is left
+/// out.
+void Writer::event(const cl::ToolSelection& next) {
+    if (tool_ && tool_->number == next.number) return;  // words of its edge that follow are for it as it is
+    if (!post_.has(Command::tool_next) || next.number == 0) return note(Fate::expanded, "a tool that is prepared");
+    write_all();
+    values_.clear();
+    values_.set(Value::number, next.number);
+    print(Command::tool_next, "a tool that is prepared");
+}
+
+void Writer::event(const cl::Output& signal) {
+    write_all();
+    values_.clear();
+    values_.set(Value::number, signal.number);
+    values_.set(Value::value, signal.value);
+    const bool moving = signal.with_motion;
+    print(signal.analog       ? (moving ? Command::output_value_moving : Command::output_value)
+          : signal.value != 0 ? (moving ? Command::output_on_moving : Command::output_on)
+                              : (moving ? Command::output_off_moving : Command::output_off),
+          "output " + std::to_string(signal.number));
+}
+
+void Writer::event(const cl::ToolData& data) {
+    if (!data.length && !data.radius)
+        return note(Fate::lost,
+                    "what the program sets of tool " + std::to_string(data.number) + " besides its length and radius");
+    values_.set(Value::number, data.number);
+    values_.set(Value::edge, data.edge);
+    if (data.length) values_.set(Value::length, *data.length);
+    if (data.radius) values_.set(Value::tool_radius, *data.radius);
+    print(Command::tool_data, "what a tool is");
+}
+
+/// Characters that would end the comment, or that the control does not have.
+void Writer::clean(std::string& text) const {
+    text = base::as_utf8(text);
+    for (char& c : text) {
+        if (!post_.comment_holds_brackets) c = c == '(' ? '<' : c == ')' ? '>' : c;
+        if (!post_.comment_holds_quotes && c == '"') c = '\'';
+        if (c == '\n' || c == '\r') c = ' ';
+        if (!post_.comment_is_plain) continue;
+        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
+        if (c < ' ' || c > 'Z' || c == '%') c = c == '<' || c == '>' ? c : ' ';
+    }
+}
+
+void Writer::event(const cl::Comment& comment) {
+    const Command wanted = comment.terminal ? Command::terminal : Command::message;
+    const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
+    if (!post_.has(command)) {
+        Note left_out{Fate::expanded, "a comment: the post has no text.comment", {}, 0, 0};
+        left_out.instead = "is left out";
+        return note_at(std::move(left_out));
+    }
+    if (comment.message) write_all();  // it stands before the stop that it is for
+    std::string text = comment.text;
+    if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");
+    clean(text);
+    if (post_.encoding == Encoding::windows_1252 && base::utf8_to_cp1252(text, '?') != base::utf8_to_cp1252(text, '_'))
+        note(Fate::expanded, "a comment, with ? for characters that Windows-1252 has not,");
+    base::cut_utf8(text, post_.longest_comment);
+    values_.set(Text::text, text);
+    print(command, "a comment");
+}
+
+}  // namespace obrys::write
