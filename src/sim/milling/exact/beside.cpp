@@ -73,18 +73,25 @@ private:
         const Foot foot = foot_on(*b.part, s.track, own);
         const double size = length(foot.gradient);
         Vec3 n = size > 0 ? (1 / size) * foot.gradient : foot.normal;
-        double outside = dot(n, own) - reach_of(*b.part, s.track, n);
+        const double about = farthest_from(at, t) + 2 * allowed_;
+        double outside = outside_of(b, own, foot.place, n, about);
         // Where a piece of the tool is nearest with its end, there is another one and no face.
         if (std::abs(n.z) > along_axis) {
             const Vec3 side = side_of(*b.part, own - foot.place);
-            const double by_side = dot(side, own) - reach_of(*b.part, s.track, side);
+            const double by_side = outside_of(b, own, foot.place, side, about);
             if (by_side > outside) n = side, outside = by_side;
-        } else if (s.track.circular) {
-            outside = std::max(outside, foot.outside - bend_of(s, at, farthest_from(at, t) + 2 * allowed_));
         }
         Plane plane{at, {outside, s.frame.to_stock(n)}, HUGE_VAL};
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
+    }
+    /// How far a point lies before the plane with this normal behind which a body lies: all of it, or, swept on a circle,
+    /// what of it is no farther from the point than `about`. `own`, `place`, `n`: in the tool's frame.
+    [[nodiscard]] static double outside_of(const Body& b, Vec3 own, Vec3 place, Vec3 n, double about) {
+        const Track& track = b.sweep->track;
+        const double of_all = dot(n, own) - reach_of(*b.part, track, n);
+        if (!track.circular) return of_all;
+        return std::max(of_all, dot(n, own - place) - reach_of(*b.part, n) - bend_of(*b.sweep, own, about));
     }
     /// How far a moving body reaches in a direction, all of it: its tangent plane.
     [[nodiscard]] static double reach_of(const Shape& part, const Track& t, Vec3 n) {
@@ -134,8 +141,7 @@ private:
 
     /// How far a body that was swept on a circle may stand out of its tangent planes within so much about a point, on
     /// the side of the circle's axis.
-    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 p, double about) {
-        const Vec3 own = s.frame.to_tool(p - s.from);
+    [[nodiscard]] static double bend_of(const Air::Sweep& s, Vec3 own, double about) {
         const geom::Vec2 q = geom::Vec2{own.x, own.y} - s.track.centre;
         // Beyond the centre a tool wider than its circle has stood at both ends: a kink lies between these.
         if (!s.track.passes(q) && s.shape->radius > s.track.radius) return HUGE_VAL;
