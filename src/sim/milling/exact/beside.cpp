@@ -85,8 +85,8 @@ private:
         for (const Vec3& p : t) plane.least = std::min(plane.least, before(plane, p));
         return plane;
     }
-    /// How far a point lies before the plane with this normal behind which a body lies: all of it, or, swept on a circle,
-    /// what of it is no farther from the point than `about`. `own`, `place`, `n`: in the tool's frame.
+    /// How far a point lies before the plane with this normal behind which a body lies: all of it, or, swept on a
+    /// circle, what of it is no farther from the point than `about`. `own`, `place`, `n`: in the tool's frame.
     [[nodiscard]] static double outside_of(const Body& b, Vec3 own, Vec3 place, Vec3 n, double about) {
         const Track& track = b.sweep->track;
         const double of_all = dot(n, own) - reach_of(*b.part, track, n);
