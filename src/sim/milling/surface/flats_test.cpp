@@ -76,9 +76,9 @@ constexpr double flats_tolerance = 0.01;
 
 // Sanitizers look for other things than results, and take ten times as long.
 #ifdef __SANITIZE_ADDRESS__
-constexpr int share = 6;
+constexpr int flats_share = 6;
 #else
-constexpr int share = 1;
+constexpr int flats_share = 1;
 #endif
 
 TEST(Flats, AtAndBesideNodesOfTheLattice) {
@@ -89,7 +89,7 @@ TEST(Flats, AtAndBesideNodesOfTheLattice) {
     for (const double size : {0.0, 1e-16, 1e-15, 1e-14, 5e-14, 1e-13, 1e-12, 1e-11, 1e-10, 1e-9, 1.0000001e-9, 1e-8,
                               1e-7, 1e-6, 1e-5, 1e-3, 0.05, 0.12})
         for (const double off : {size, -size}) {
-            if (number++ % share != 0) continue;
+            if (number++ % flats_share != 0) continue;
             const Box3 floor{{5.3, 4.7, node.z + off}, {54.1, 35.2, 1}},
                 low{{node.x + off, node.y + off, -10.3}, {54.1, 35.2, 1}},
                 high{{5.3, 4.7, -9.1}, {lattice.node(220, 0, 0).x + off, lattice.node(0, 140, 0).y + off, 1}};
@@ -110,7 +110,7 @@ TEST(Flats, AllFacesOfAPocketAtNodes) {
     const auto at = [&](int low, int high) {
         return low + static_cast<int>(random() % static_cast<unsigned>(high - low));
     };
-    for (int i = 0; i < 25 / share; ++i) {
+    for (int i = 0; i < 25 / flats_share; ++i) {
         const Vec3 low = lattice.node(at(10, 40), at(10, 30), at(20, 60));
         const Vec3 high = lattice.node(at(150, 230), at(100, 150), 0);
         const Box3 pocket{low + Vec3{off(), off(), off()}, {high.x + off(), high.y + off(), 1}};
@@ -123,7 +123,7 @@ TEST(Flats, FacesOfTheStockAtNodes) {
     const Lattice lattice = make_lattice(plate_block, 0.5).value();
     std::mt19937 random(8);
     const auto off = [&] { return (random() % 2 == 0 ? 1 : -1) * sizes[random() % sizes.size()]; };
-    for (int i = 0; i < 200 / share; ++i) {
+    for (int i = 0; i < 200 / flats_share; ++i) {
         const Box3 box{lattice.node(10, 10, 10) + Vec3{off(), off(), off()},
                        lattice.node(50, 60, 30) + Vec3{off(), off(), off()}};
         const mesh::Mesh walls = mesh::box(box.min, box.max);
