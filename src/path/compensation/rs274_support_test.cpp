@@ -394,19 +394,21 @@ bool have_rs274() { return std::filesystem::exists("/usr/bin/rs274"); }
 
 std::vector<Stretch> run_rs274(const std::string& program, const std::vector<TableTool>& table) {
     const std::string in = temporary(".ngc"), out = temporary(".out"), err = temporary(".err"),
-                      tools = temporary(".tbl");
+                      tools = temporary(".tbl"), home = temporary(".home");
+    std::filesystem::create_directories(home);
     std::ofstream(in) << program;
     std::ofstream tbl(tools);
     for (const TableTool& t : table)
         tbl << "T" << t.number << " P" << t.number << " D" << base::fixed(t.diameter, 6) << " Q" << t.orientation
             << "\n";
     tbl.close();
-    const std::string command =
-        "timeout 20 /usr/bin/rs274 -g -n 0 -t " + tools + " " + in + " >" + out + " 2>" + err + " </dev/null";
+    // It maps $HOME/.tool.mmap: two of them in one home see each other's tools.
+    const std::string command = "HOME=" + home + " timeout 20 /usr/bin/rs274 -g -n 0 -t " + tools + " " + in + " >" +
+                                out + " 2>" + err + " </dev/null";
     const int status = std::system(command.c_str());
     std::vector<Stretch> stretches = calls_of(whole_file(out));
     add_refusals(stretches, whole_file(err), program);
-    for (const std::string& f : {in, out, err, tools}) std::filesystem::remove(f);
+    for (const std::string& f : {in, out, err, tools, home}) std::filesystem::remove_all(f);
     return status == 0 ? stretches : std::vector<Stretch>(1);
 }
 
