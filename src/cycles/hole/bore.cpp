@@ -37,6 +37,10 @@ geom::Vec3 direction_of(Course& c, double least) {
     return {};
 }
 
+/// The bar stands in a known direction: the way out goes by it. Degrees of the spindle; NaN: where the machine is set
+/// to.
+void orient_bar(Course& c, double angle) { c.add(cl::Spindle{.speed = 0, .direction = 0, .held = angle}); }
+
 void turn_again(Course& c, const Situation& s) {
     if (s.spindle_direction != 0 && std::isfinite(s.spindle_speed)) c.spindle(s.spindle_speed, s.spindle_direction);
 }
@@ -47,13 +51,14 @@ void bore(Course& c, const Situation& s) {
     const double back = c.feed_or(Role::feed_retract, feed);
     const double dwell = c.maybe_at_least(Role::dwell_bottom, 0, 0);
     const geom::Vec3 away = direction_of(c, 0);
+    const double angle = c.maybe(Role::spindle_angle, NAN);
     c.spindle_speed(s);
     if (!c.ready()) return;
     c.rapid_w(h.clearance);
     const geom::Vec3 axis = c.at();
     c.move_w(h.bottom, feed);
     c.dwell(dwell);
-    c.spindle(0, 0);
+    orient_bar(c, angle);
     c.move(c.at() + disengagement * away, back);
     c.move_w(h.clearance, back);
     c.rapid_w(h.end);
@@ -69,6 +74,7 @@ void back_bore(Course& c, const Situation& s) {
     const double positioning = c.feed(Role::feed_position), boring = c.feed(Role::feed_countersink);
     const double dwell = c.maybe_at_least(Role::dwell, 0, 0);
     const geom::Vec3 away = direction_of(c, 1);
+    const double angle = c.maybe(Role::spindle_angle, NAN);
     c.spindle_speed(s);
     if (depth < 0) c.fault(Role::counterbore_depth, "enter the depth of counterbore as a positive value");
     if (depth > thickness) c.fault(Role::counterbore_depth, "the counterbore is deeper than the material is thick");
@@ -78,7 +84,7 @@ void back_bore(Course& c, const Situation& s) {
     const double below = surface - thickness - clearance - edge;
     c.rapid_w(surface + clearance);
     const geom::Vec3 axis = c.at();
-    c.spindle(0, 0);
+    orient_bar(c, angle);
     c.move(axis + off * away, positioning);
     c.move_w(below, positioning);
     c.move({axis.x, axis.y, below}, positioning);
@@ -86,7 +92,7 @@ void back_bore(Course& c, const Situation& s) {
     c.move_w(surface - thickness + depth - edge, boring);
     c.dwell(dwell);
     c.move_w(below, positioning);
-    c.spindle(0, 0);
+    orient_bar(c, angle);
     c.move(c.at() + off * away, positioning);
     c.move_w(surface + clearance, positioning);
     c.rapid_w(end);
