@@ -121,9 +121,12 @@ void Milling::add_clamps(double left) {
 
 void Milling::spindle_changed(const cl::Spindle& before) {
     const bool stands = motion::turning_sense(state_.spindle) == 0;
-    const bool stops = is_placed(cycle_) && stands && motion::turning_sense(before) != 0;
-    if (stops && !moves_.empty()) stopped_at_ = moves_.back().to;
-    edge_away_ = is_placed(cycle_) && stands && (edge_away_ || (stops && !moves_.empty()));
+    const bool oriented = stands && state_.spindle.held.has_value();
+    const bool stops = stands && (motion::turning_sense(before) != 0 || (oriented && !before.held));
+    // Not held, a program's own stop says nothing of where the edge stands; a cycle's does.
+    const bool bar_stands = oriented || (is_placed(cycle_) && stands);
+    if (bar_stands && stops && !moves_.empty()) stopped_at_ = moves_.back().to;
+    edge_away_ = bar_stands && (edge_away_ || (stops && !moves_.empty()));
     judge_reversal(before);
 }
 

@@ -224,8 +224,9 @@ private:
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
-    bool edge_away_ = false;      ///< the cycle has stopped the spindle: of a boring bar the edge leaves the wall
-    geom::Vec3 stopped_at_;       ///< the tip then
+    bool edge_away_ =
+        false;               ///< a boring bar stands at an angle, or its cycle has stopped it: the edge leaves the wall
+    geom::Vec3 stopped_at_;  ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
     bool tool_ready_ = false, complete_ = true, memory_full_ = false, whole_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread

@@ -82,7 +82,8 @@ geom::Vec3 beside(geom::Vec3 p, geom::Vec3 point, geom::Vec3 axis) {
 
 }  // namespace
 
-/// A boring bar whose cycle has stopped the spindle, as far beside its hole as its body may be thinner than the hole.
+/// A boring bar whose spindle stands at an angle, or was stopped by a cycle, as far beside its hole as its body may be
+/// thinner than the hole.
 bool Milling::leaves_the_wall(const geom::Straight& way) const {
     if (!edge_away_ || !may_bore(*tool_)) return false;
     const double most = off_the_wall * (tool_->radius + tool_->delta_radius);
@@ -118,8 +119,9 @@ void Milling::queue_bar(const geom::Straight& way, const MilledMove& move) {
     probe(way, off_the_wall * radius);
     if (geom::distance(from, to) < 1e-9) probe({way.from - from, way.to - from}, radius - geom::length(from));
     out_.assumption(
-        "the cycle stops the spindle and moves the tool: its edge is taken to leave the wall, and the side opposite to "
-        "it to have room in the hole",
+        "the spindle is stopped and the tool moves: its edge is taken to leave the wall, and the side opposite to it "
+        "to "
+        "have room in the hole",
         move.where);
 }
 
