@@ -22,6 +22,12 @@ bool has_material(const Exact& exact, const Exact::Near& near, Vec3 p, double ra
     return false;
 }
 
+/// How high the bottom of a tool lies at a distance from its axis.
+double bottom_at(double radius, double corner, double across) {
+    const double round = across - (radius - corner);
+    return round <= 0 ? 0 : corner - std::sqrt(std::max(0.0, corner * corner - round * round));
+}
+
 TEST(BesideMaterial, IsTrueOfWhatIsProved) {
     constexpr double allowed = 0.01;
     const std::uint32_t seed = base::testing_seed();
@@ -33,6 +39,7 @@ TEST(BesideMaterial, IsTrueOfWhatIsProved) {
     for (int world = 0; world < 12; ++world) {
         const auto kind = std::array{CutterKind::end_mill, CutterKind::bull_nose, CutterKind::ball}[world % 3];
         const double radius = between(1, 5), track = between(0.3, 6);
+        const double corner = std::array{0.0, 0.4, 1.0}[world % 3] * radius;
         Work w(block, 0.4, tool_of(kind, 2 * radius, 0.4 * radius));
         const double z = between(-4, -1), turn = between(0.5, 6.2) * (world % 2 == 0 ? 1 : -1);
         w.start({15 + track, 15, z});
@@ -42,9 +49,13 @@ TEST(BesideMaterial, IsTrueOfWhatIsProved) {
         const Lattice lattice = w.simulation.dexels().lattice();
         Exact exact(w.simulation, lattice);
         for (int i = 0; i < 20'000; ++i) {
-            const double angle = between(0, 2 * geom::pi), off = track + radius * (i % 4 == 0 ? -1 : 1);
+            // Beside the way's inner and outer wall, and at the tool's bottom.
+            const bool below = i % 2 == 1;
+            const double across = below ? between(-1, 1) : i % 4 == 0 ? -1 : 1;
+            const double angle = between(0, 2 * geom::pi), off = track + radius * across;
+            const double high = below ? bottom_at(radius, corner, radius * std::abs(across)) : between(0, 0.9) * -z;
             const Vec3 at{15 + off * std::cos(angle) + between(-0.02, 0.02),
-                          15 + off * std::sin(angle) + between(-0.02, 0.02), z + between(0, 0.9) * -z};
+                          15 + off * std::sin(angle) + between(-0.02, 0.02), z + high + between(-0.02, 0.02)};
             const double size = between(0.01, 0.2);
             const auto near_at = [&] { return at + size * Vec3{between(-1, 1), between(-1, 1), between(-1, 1)}; };
             const Corners t{at, near_at(), near_at()};
