@@ -83,13 +83,15 @@ enum class PlaceKind : std::uint8_t {
     coordinates,  ///< as the program says them (G53, SUPA, M91)
     home,         ///< a reference point (G28, G74)
     fixed,        ///< another place that the machine keeps (G75)
+    frame,        ///< none of the machine: in the frame in force, which is turned and hides what the program has said
 };
-/// The next move leads to a place of the machine along these axes, however the workpiece lies.
+/// The next move leads to a place of the machine along these axes, however the workpiece lies. Of kind `frame`: to
+/// coordinates of the frame in force, of which those of the workpiece cannot be reckoned as one of them is not known.
 struct MachinePlace {
     PlaceKind kind = PlaceKind::coordinates;
     std::uint8_t number = 1;       ///< of reference points and fixed ones: which
     std::array<bool, 3> axes{};    ///< X, Y, Z go there
-    geom::Vec3 to{NAN, NAN, NAN};  ///< machine coordinates as the control counts them, mm; NaN: not known
+    geom::Vec3 to{NAN, NAN, NAN};  ///< coordinates as the control counts them, mm; NaN: not known
     /// Of coordinates: the tip of the tool goes there, by its compensated length (SUPA under D1); else what holds it
     /// does (G53, M91), or the tool has no length along these axes.
     bool tip = false;

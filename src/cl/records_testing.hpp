@@ -76,7 +76,7 @@ inline Programmed any_programmed() {
 
 inline MachinePlace any_place() {
     MachinePlace p;
-    p.kind = any_of(PlaceKind::fixed);
+    p.kind = any_of(PlaceKind::frame);
     p.number = *rc::gen::inRange<std::uint8_t>(1, 4);
     p.axes = {*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
     if (p.axes[0]) p.to.x = number();

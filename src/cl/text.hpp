@@ -26,7 +26,7 @@ inline constexpr std::array<std::string_view, 3> approaches{"normal", "around", 
 inline constexpr std::array<std::string_view, 4> lead_kinds{"tangent-line", "normal-line", "tangent-arc",
                                                             "arc-and-line"};
 inline constexpr std::array<std::string_view, 4> path_kinds{"exact", "exact-stop", "free", "within"};
-inline constexpr std::array<std::string_view, 3> place_kinds{"coordinates", "home", "fixed"};
+inline constexpr std::array<std::string_view, 4> place_kinds{"coordinates", "home", "fixed", "frame"};
 inline constexpr std::array<std::string_view, 4> override_kinds{"feed", "spindle", "adaptive-feed", "feed-hold"};
 inline constexpr std::array<std::string_view, 3> corners{"chamfer", "chamfer-leg", "rounding"};
 inline constexpr std::array<std::string_view, 4> sought{"contact", "contact-or-end", "release", "release-or-end"};

@@ -211,7 +211,7 @@ void Path::take_event(const cl::Record& record) {
     }
     hold();
     const auto* place = std::get_if<cl::MachinePlace>(&step);
-    to_holder_ = to_holder_ || (place != nullptr && !place->tip);
+    to_holder_ = to_holder_ || (place != nullptr && !place->tip && place->kind != cl::PlaceKind::frame);
     take_item(events, std::move(step), record);
 }
 

@@ -130,6 +130,10 @@ enum class Command : std::uint8_t {
     scaling_off,
     plane,
     plane_off,
+    plane_turn,  ///< the rotary axes turn in the same block, the linear ones stand
+    plane_turn_off,
+    plane_move,  ///< the same, and the tip stays where it is on the workpiece
+    plane_move_off,
     programmed,
     programmed_off,
     count,

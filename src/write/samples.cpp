@@ -151,10 +151,13 @@ void Maker::frames() {
     frame("frame: scaling", cl::FrameKind::scaling, geom::Frame::scaling({2, 2, 2}));
     if (!turning_) {
         const geom::Frame tilted = geom::Frame::rotation(0, geom::pi / 4);
+        const cl::Axis tilt_axis{{'A'}, 45, true, true};
         cl::Frame whole;
         whole.parts.push_back({cl::FrameKind::plane, tilted});
         const geom::Vec3 axis{0, -std::sqrt(0.5), std::sqrt(0.5)};
         add("frame: tilted plane", {whole, cl::Linear{at_ + along_x(10), axis, false}});
+        const geom::Vec3 unknown{NAN, NAN, NAN};
+        add("frame: tilted plane, the axes turn", {whole, tilt_axis, cl::Linear{unknown, axis, true}});
     }
     frame("frame: a programmed one", cl::FrameKind::programmed, geom::Frame::shift({0, 0, 3}));
 }
@@ -277,7 +280,11 @@ std::vector<cl::Record> records_of(const std::vector<cl::Step>& steps) {
     bool made = false;
     for (const cl::Step& step : steps) {
         if (!cl::is_move(step)) made = std::holds_alternative<cl::Programmed>(step);
-        if (!made || !cl::is_move(step)) ++block;
+        const bool turns = !out.empty() && std::holds_alternative<cl::Frame>(out.back().step) &&
+                           std::holds_alternative<cl::Axis>(step);
+        const bool turned = out.size() > 1 && std::holds_alternative<cl::Axis>(out.back().step) &&
+                            std::holds_alternative<cl::Frame>(out[out.size() - 2].step);
+        if ((!made || !cl::is_move(step)) && !turns && !turned) ++block;
         out.push_back({step, {0, block, block + 1}, 0});
     }
     return out;

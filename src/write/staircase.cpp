@@ -151,7 +151,8 @@ void Staircase::take_move(const cl::Record& record) {
     rapid_ = cl::is_rapid(record.step);
     counts_ = false;
     if (forgets(to) || (place && !geom::is_finite(to))) return leave_known(record, place, to);
-    const bool to_home = place && std::get<cl::MachinePlace>(place->step).kind != cl::PlaceKind::coordinates;
+    const auto kind = place ? std::get<cl::MachinePlace>(place->step).kind : cl::PlaceKind::coordinates;
+    const bool to_home = kind == cl::PlaceKind::home || kind == cl::PlaceKind::fixed;
     if (to_home && axes <= 1) pass(*place);
     if (axes > 0) lose_axes();
     for (const cl::Record& r : std::exchange(axes_, {})) pass(r);

@@ -61,13 +61,13 @@ void Writer::coolant_said(std::uint64_t line) {
 
 /// Prints a command and says what becomes of it: it is lost where the post has none for it or a word cannot hold its
 /// number.
-bool Writer::print(Command command, std::string_view what) {
+bool Writer::print(Command command, std::string_view what, bool rapid) {
     if (!post_.has(command)) {
         note(Fate::lost, std::string(what) + ": the post has no " + std::string(name_of(command)));
         return false;
     }
     const std::uint64_t line = layout_.next();
-    const Printed printed = put(command, parts_of(false, nullptr), what);
+    const Printed printed = put(command, parts_of(rapid, nullptr), what);
     if (printed == Printed::failed) {
         note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
         return false;

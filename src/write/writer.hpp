@@ -156,6 +156,10 @@ private:
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
     void write_frame();
+    void write_place_of_frame(const cl::Linear& line, const cl::MachinePlace& place);
+    [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
+    [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
+    [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
     void write_spindle();
     void await_coolant();
     void write_coolant();
@@ -211,7 +215,7 @@ private:
 
     void print_lead();
     void clean(std::string& text) const;
-    bool print(Command command, std::string_view what);
+    bool print(Command command, std::string_view what, bool rapid = false);
     Printed put(Command command, const Parts& parts, std::string_view what, bool moves = false);
     [[nodiscard]] const Template* form_of(Command command, std::string_view what);
     [[nodiscard]] bool ask_cycle(const cl::Cycle& cycle, CycleForm& form);
@@ -253,6 +257,11 @@ private:
     bool plain_ = false;                     ///< the tool's path stands in the place of a compensated contour
     bool tool_waits_ = false;
     Frames frames_;
+    /// How the rotary axes go where the block that tilts the plane turns them.
+    enum class Turning : std::uint8_t { none, axes_alone, keeps_tip };
+    Turning turning_ = Turning::none;
+    bool turns_at_rapid_ = false;
+    bool has_turned_ = false;                  ///< the words of the plane have turned them
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
     std::string called_;                       ///< the last cycle without its place

@@ -241,7 +241,10 @@ void Writer::write_frame() {
     for (const FrameStep& step : *steps) {
         values_.clear();
         static_cast<void>(frame_values(step.part, values_));
-        print(step.command, "a frame (" + std::string(name_of(step.command)).substr(frame_table.size()) + ")");
+        const auto turning = &step == &steps->back() ? turning_form(step.command) : std::nullopt;
+        const Command command = turning.value_or(step.command);
+        const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
+        has_turned_ = print(command, what, turning && turns_at_rapid_) && turning;
     }
 }
 

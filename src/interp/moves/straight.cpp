@@ -194,6 +194,26 @@ void capture(Moving& run, const path::Element& e, bool rapid) {
                             run.top().stack, size(Code::a), size(Code::c), angle_of_whole_line(run)});
 }
 
+namespace {
+
+/// In a turned frame a coordinate that is not known hides those that the program has said.
+void tell_place_in_frame(Telling& run) {
+    if (run.frame_is_identity || geom::is_finite(run.position) || !geom::is_invertible(run.frame)) return;
+    const geom::Vec3 seen = geom::apply(geom::inverse(run.frame), run.position);
+    cl::MachinePlace place{cl::PlaceKind::frame};
+    bool hidden = false;
+    for (int k = 0; k < 3; ++k) {
+        const double said = coordinate(run.programmed_position, k);
+        if (!std::isfinite(said)) continue;
+        place.axes[static_cast<std::size_t>(k)] = true;
+        coordinate(place.to, k) = said;
+        hidden = hidden || !std::isfinite(coordinate(seen, k));
+    }
+    if (hidden) emit(run, place);
+}
+
+}  // namespace
+
 void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
@@ -208,6 +228,7 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
         run.free_contour = {};
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
+        tell_place_in_frame(run);
         emit(run, cl::Linear{run.position, run.tool_axis, rapid});
         return;
     }

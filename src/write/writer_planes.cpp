@@ -1,0 +1,73 @@
+/// Tilted planes whose block turns the rotary axes: PLANE ... TURN and MOVE.
+
+#include <algorithm>
+#include <cmath>
+
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+const cl::FramePart* plane_of(const std::vector<cl::FramePart>& parts) {
+    const auto at =
+        std::find_if(parts.begin(), parts.end(), [](const cl::FramePart& p) { return p.kind == cl::FrameKind::plane; });
+    return at == parts.end() ? nullptr : &*at;
+}
+
+bool is_same_plane(const cl::FramePart* a, const cl::FramePart* b) {
+    return a == nullptr || b == nullptr ? a == b : *a == *b;
+}
+
+bool is_same_place(const geom::Vec3& a, const geom::Vec3& b) {
+    return geom::is_finite(a) && geom::is_finite(b) && geom::distance(a, b) <= 1e-9;
+}
+
+}  // namespace
+
+/// The block that changes the plane is the one that moves the axes.
+bool Writer::turns_with_plane(const cl::Step& step) const {
+    if (!std::holds_alternative<cl::Linear>(step) || axes_.empty() || place_ || now_ == nullptr) return false;
+    const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
+    return !(block == Source{}) && block == Source{now_->from, now_->stack} &&
+           !is_same_plane(plane_of(cursor_.state().frame.parts), plane_of(frames_.parts()));
+}
+
+/// Writes the plane with the turn of its axes; false where the post cannot, and the move is yet to be written.
+bool Writer::write_turn(const cl::Linear& line, const geom::Vec3& from) {
+    turning_ = is_same_place(line.to, from) ? Turning::keeps_tip : Turning::axes_alone;
+    turns_at_rapid_ = line.rapid;
+    has_turned_ = false;
+    write_state();
+    turning_ = Turning::none;
+    if (!has_turned_) return false;
+    axes_.clear();
+    pointed_ = line.axis;
+    return true;
+}
+
+/// The command that does the same and turns the axes, where they turn now.
+std::optional<Command> Writer::turning_form(Command plain) const {
+    if (turning_ == Turning::none) return std::nullopt;
+    const bool keeps = turning_ == Turning::keeps_tip;
+    std::optional<Command> form;
+    if (plain == Command::plane) form = keeps ? Command::plane_move : Command::plane_turn;
+    if (plain == Command::plane_off) form = keeps ? Command::plane_move_off : Command::plane_turn_off;
+    return form && post_.has(*form) ? form : std::nullopt;
+}
+
+/// What the program has said in a turned frame, where nobody knows the place on the workpiece.
+void Writer::write_place_of_frame(const cl::Linear& line, const cl::MachinePlace& place) {
+    if (!(frames_.parts() == cursor_.state().frame.parts))
+        return note(Fate::lost, "a move to a coordinate that is not known");
+    end_cycles();
+    note_direction(line.axis);
+    constexpr std::array words{Value::x, Value::y, Value::z};
+    const std::array to{place.to.x, place.to.y, place.to.z};
+    values_.clear();
+    for (std::size_t k = 0; k < to.size(); ++k)
+        if (place.axes[k]) values_.set(words[k], to[k]);
+    print_move(line.rapid ? Command::rapid : Command::linear, line.rapid, nullptr);
+}
+
+}  // namespace obrys::write
