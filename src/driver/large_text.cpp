@@ -23,13 +23,22 @@ namespace {
 std::uint64_t sum_of(const char* bytes, std::size_t size) {
     constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
     std::uint64_t chain[4] = {size, 1, 2, 3};
-    for (std::size_t at = 0; at < size; at += 32) {
-        std::uint64_t words[4] = {0, 0, 0, 0};
-        std::memcpy(words, bytes + at, std::min<std::size_t>(32, size - at));
+    const auto add = [&chain](const std::uint64_t(&words)[4]) {
         for (int i = 0; i < 4; ++i) {
             chain[i] = (chain[i] ^ words[i]) * factor;
             chain[i] ^= chain[i] >> 29;
         }
+    };
+    std::size_t at = 0;
+    for (; at + 32 <= size; at += 32) {
+        std::uint64_t words[4];
+        std::memcpy(words, bytes + at, 32);
+        add(words);
+    }
+    if (at < size) {
+        std::uint64_t words[4] = {0, 0, 0, 0};
+        std::memcpy(words, bytes + at, size - at);
+        add(words);
     }
     std::uint64_t sum = 0;
     for (const std::uint64_t c : chain) sum = ((sum ^ c) * factor) ^ (sum >> 32);
@@ -101,6 +110,7 @@ private:
     void map_anew(std::size_t i, int access) {
         if (::mmap(memory_ + i * piece, piece, access, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == MAP_FAILED)
             throw std::runtime_error("no memory for the text of " + shown_);
+        if (access != PROT_NONE) base::prefer_large_pages(memory_ + i * piece, piece);
     }
 
     /// Bytes `[from, from + most)` of the file to their place; `count`: how many there were.
