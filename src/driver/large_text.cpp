@@ -22,26 +22,24 @@ namespace {
 /// A number that differs, but for one chance in 2^64, where the bytes do. Four chains, so that they run side by side.
 std::uint64_t sum_of(const char* bytes, std::size_t size) {
     constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
-    std::uint64_t chain[4] = {size, 1, 2, 3};
-    const auto add = [&chain](const std::uint64_t(&words)[4]) {
-        for (int i = 0; i < 4; ++i) {
-            chain[i] = (chain[i] ^ words[i]) * factor;
-            chain[i] ^= chain[i] >> 29;
-        }
+    const auto step = [](std::uint64_t chain, std::uint64_t word) {
+        chain = (chain ^ word) * factor;
+        return chain ^ chain >> 29;
     };
+    std::uint64_t a = size, b = 1, c = 2, d = 3;
+    std::uint64_t words[4];
     std::size_t at = 0;
-    for (; at + 32 <= size; at += 32) {
-        std::uint64_t words[4];
-        std::memcpy(words, bytes + at, 32);
-        add(words);
+    for (; at + sizeof words <= size; at += sizeof words) {
+        std::memcpy(words, bytes + at, sizeof words);
+        a = step(a, words[0]), b = step(b, words[1]), c = step(c, words[2]), d = step(d, words[3]);
     }
     if (at < size) {
-        std::uint64_t words[4] = {0, 0, 0, 0};
+        std::memset(words, 0, sizeof words);
         std::memcpy(words, bytes + at, size - at);
-        add(words);
+        a = step(a, words[0]), b = step(b, words[1]), c = step(c, words[2]), d = step(d, words[3]);
     }
     std::uint64_t sum = 0;
-    for (const std::uint64_t c : chain) sum = ((sum ^ c) * factor) ^ (sum >> 32);
+    for (const std::uint64_t chain : {a, b, c, d}) sum = ((sum ^ chain) * factor) ^ (sum >> 32);
     return sum;
 }
 

@@ -97,12 +97,15 @@ void take(Found& found, const program::Unit& unit, const program::Statement& s, 
     if (places.size() < enough) places.push_back(at);
 }
 
+/// The words lie one behind the other; which statement one belongs to is asked of those that tell something.
 Found find_signs(const program::Unit& unit) {
     Found found;
-    for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
-        const program::Statement& s = unit.statements[i];
-        for (std::uint32_t k = s.first, end = unit.words_end(i); k < end; ++k)
-            if (tells_more(found, unit, unit.words[k])) take(found, unit, s, unit.words[k]);
+    if (unit.statements.empty()) return found;
+    const auto behind = [](std::uint32_t i, const program::Statement& s) { return i < s.first; };
+    for (std::uint32_t i = unit.statements.front().first; i < unit.words.size(); ++i) {
+        if (!tells_more(found, unit, unit.words[i])) continue;
+        const auto next = std::upper_bound(unit.statements.begin(), unit.statements.end(), i, behind);
+        take(found, unit, *(next - 1), unit.words[i]);
     }
     return found;
 }

@@ -30,15 +30,13 @@ struct Plain {
     std::uint64_t seen = 0;
     int motion = -1;
     Word g{}, feed{};
-    std::array<Word, 13> words{};  ///< the others, each letter once
-    std::size_t count = 0;
 };
 
 constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
 static_assert(arc_letters > static_cast<unsigned>(Code::w));
 
 /// A word at `p`; false where the full reader is needed.
-bool read_plain_word(const char*& p, const char* line, Plain& block) {
+bool read_plain_word(program::Unit& unit, const char*& p, const char* line, Plain& block) {
     const Code code = letters[static_cast<unsigned char>(*p)];
     if (code == Code::control) return false;
     const char* digits = p + 1;
@@ -62,7 +60,7 @@ bool read_plain_word(const char*& p, const char* line, Plain& block) {
         block.feed = w;
         return n.mantissa >= 0;
     }
-    block.words[block.count++] = w;
+    unit.words.push_back(w);
     return true;
 }
 
@@ -87,16 +85,17 @@ const char* read_literal_block(State& s, const char* p, const char* end) {
             continue;
         }
         if (*p == '\n') break;
-        plain = read_plain_word(p, line, block);
+        plain = read_plain_word(unit, p, line, block);
         last = p;
     }
     const bool gap = p > line + 1 && block.motion < 0 && block.seen == 0;  // a block number alone
     const bool too_long = s.variant.longest_line > 0 && p - line > s.variant.longest_line;
-    if (!plain || gap || too_long || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2))
+    if (!plain || gap || too_long || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
+        unit.words.resize(first);
         return nullptr;
-    if ((block.seen & bit(Code::feed)) != 0) unit.words.push_back(block.feed);
-    unit.words.insert(unit.words.end(), block.words.begin(),
-                      block.words.begin() + static_cast<std::ptrdiff_t>(block.count));
+    }
+    if ((block.seen & bit(Code::feed)) != 0)
+        unit.words.insert(unit.words.begin() + static_cast<std::ptrdiff_t>(first), block.feed);
     if (block.motion >= 0) unit.words.push_back(block.g);
     program::Statement statement;
     statement.begin = static_cast<std::uint32_t>(line - s.text.data());
