@@ -78,46 +78,68 @@ void add_line_starts(std::string_view piece, std::size_t at, bool& cr, std::vect
 
 }  // namespace
 
+namespace {
+
+/// Behind the begins of lines, where there are no others.
+constexpr std::uint32_t no_more_lines = 0xFFFFFFFF;
+
+}  // namespace
+
+/// At least one line more, or that there is none: a message near the begin of a large text needs no more than its begin
+/// looked through.
 void Sources::find_lines(Text& t) {
-    std::vector<std::uint32_t> starts{0};
     const std::string_view text = t.source.text;
     Store* store = t.store.get();
     const std::size_t mark = store == nullptr ? 0 : store->bytes().size() - text.size();  // bytes of a mark in front
+    const std::size_t known = t.line_starts.size();
     bool cr = false;
-    for (std::size_t begin = 0; begin < mark + text.size(); begin += Store::piece) {
-        const std::size_t end = std::min(begin + Store::piece, mark + text.size());
+    std::size_t begin = mark + t.line_starts.back(), end = begin;
+    for (; t.line_starts.size() == known && end < mark + text.size(); begin = end) {
+        end = std::min((begin / Store::piece + 1) * Store::piece, mark + text.size());
         const bool aside = store != nullptr && store->fetch(begin, end);
-        const std::size_t from = std::max(begin, mark) - mark;
-        add_line_starts(text.substr(from, end - mark - from), from, cr, starts);
-        if (aside) store->lay_aside(begin, end);
+        add_line_starts(text.substr(begin - mark, end - begin), begin - mark, cr, t.line_starts);
+        if (aside) store->lay_aside(begin / Store::piece * Store::piece, end);
     }
-    if (cr) starts.push_back(static_cast<std::uint32_t>(text.size()));
-    t.line_starts = std::move(starts);
+    if (end < mark + text.size()) return;
+    if (cr) t.line_starts.push_back(static_cast<std::uint32_t>(text.size()));
+    t.line_starts.push_back(no_more_lines);
 }
 
+/// Those found so far; the caller has locked the text.
 const std::vector<std::uint32_t>& Sources::line_starts(Text& t) {
-    const std::scoped_lock alone(t.use);
-    if (t.line_starts.empty()) find_lines(t);
+    if (t.line_starts.empty()) t.line_starts.push_back(0);
     return t.line_starts;
 }
 
 Position Sources::position(std::uint32_t file, std::uint32_t offset) const {
     Text& t = *texts_[file];
-    const auto& starts = line_starts(t);
-    const auto after = std::upper_bound(starts.begin(), starts.end(), offset);
-    const auto line = static_cast<std::uint32_t>(after - starts.begin());
-    const std::uint32_t begin = starts[line - 1];
     const std::size_t end = std::min<std::size_t>(offset, t.source.text.size());
-    std::size_t column = end - std::min<std::size_t>(begin, end);
+    std::uint32_t line = 0;
+    std::size_t begin = 0;
+    {
+        const std::scoped_lock alone(t.use);
+        const std::vector<std::uint32_t>& starts = line_starts(t);
+        while (starts.back() <= end) find_lines(t);
+        line = static_cast<std::uint32_t>(std::upper_bound(starts.begin(), starts.end(), end) - starts.begin());
+        begin = starts[line - 1];
+    }
+    std::size_t column = end - begin;
     if (t.source.utf8) column = character_count(part(t, begin, begin + column));
     return {line, static_cast<std::uint32_t>(column + 1)};
 }
 
 std::string_view Sources::line(std::uint32_t file, std::uint32_t number) const {
     Text& t = *texts_[file];
-    const auto& starts = line_starts(t);
-    if (number == 0 || number > starts.size()) return {};
-    std::string_view text = part(t, starts[number - 1], number < starts.size() ? starts[number] : t.source.text.size());
+    std::size_t begin = 0, end = 0;
+    {
+        const std::scoped_lock alone(t.use);
+        const std::vector<std::uint32_t>& starts = line_starts(t);
+        while (starts.size() <= number && starts.back() != no_more_lines) find_lines(t);
+        if (number == 0 || number > starts.size() || starts[number - 1] == no_more_lines) return {};
+        begin = starts[number - 1];
+        end = number < starts.size() && starts[number] != no_more_lines ? starts[number] : t.source.text.size();
+    }
+    std::string_view text = part(t, begin, end);
     while (text.ends_with('\n') || text.ends_with('\r')) text.remove_suffix(1);
     return text;
 }

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "base/codes.hpp"
 #include "base/diagnostic.hpp"
 
@@ -18,6 +20,42 @@ TEST(Sources, LinesWhateverTheirEnds) {
     EXPECT_EQ(s.line(f, 5), "");
     EXPECT_EQ(s.position(f, 7).line, 2U);
     EXPECT_EQ(s.position(f, 1000).line, 4U);
+}
+
+/// Lines of a large text are found as far as somebody asks; whatever is asked first, they are the same.
+TEST(Sources, LinesOfLargeTexts) {
+    std::string text;
+    std::vector<std::size_t> begins{0};
+    const auto add = [&](std::size_t length, std::string_view end) {
+        text += std::string(length, 'X');
+        text += end;
+        begins.push_back(text.size());
+    };
+    constexpr std::array<std::string_view, 3> ends{"\n", "\r\n", "\r"};
+    const auto fill = [&](std::size_t size) {
+        for (std::size_t i = 0; text.size() + 200 < size; ++i) add(1 + i % 97, ends[i % ends.size()]);
+    };
+    fill(Store::piece);
+    add(Store::piece - 1 - text.size(), "\r\n");  // the CR is the last byte of a piece
+    add(Store::piece + 5, "\n");                  // longer than a piece
+    fill(4 * Store::piece);
+    add(3, "\r");
+    for (const bool forwards : {true, false}) {
+        Sources sources;
+        const std::uint32_t file = sources.add("a.nc", text);
+        for (std::size_t i = 0; i < begins.size(); i += 37) {
+            const std::size_t k = forwards ? i : begins.size() - 1 - i;
+            const auto number = static_cast<std::uint32_t>(k + 1);
+            const Position at = sources.position(file, static_cast<std::uint32_t>(begins[k]));
+            ASSERT_EQ(at.line, number);
+            ASSERT_EQ(at.column, 1U);
+            std::string line = text.substr(begins[k], k + 1 < begins.size() ? begins[k + 1] - begins[k] : text.npos);
+            while (line.ends_with('\n') || line.ends_with('\r')) line.pop_back();
+            ASSERT_EQ(sources.line(file, number), line);
+        }
+        EXPECT_EQ(sources.line(file, static_cast<std::uint32_t>(begins.size() + 1)), "");
+        EXPECT_EQ(sources.position(file, 0xFFFFFFFF).line, begins.size());
+    }
 }
 
 TEST(Sources, ColumnsCountCharacters) {

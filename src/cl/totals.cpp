@@ -50,9 +50,10 @@ void Totals::operator()(const Record& record) {
     ++moves;
     const bool rapid = is_rapid(record.step);
     ++(rapid ? rapid_moves : feed_moves);
-    const double length = move_length(position, record.step);
+    const auto* line = std::get_if<Linear>(&record.step);
+    const double length = line != nullptr ? straight(position, line->to) : move_length(position, record.step);
     if (std::isfinite(length)) (rapid ? rapid_length_mm : feed_length_mm) += length;
-    position = position_after(position, record.step);
+    position = line != nullptr ? line->to : position_after(position, record.step);
 }
 
 }  // namespace obrys::cl

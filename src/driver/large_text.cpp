@@ -22,17 +22,24 @@ namespace {
 /// A number that differs, but for one chance in 2^64, where the bytes do. Four chains, so that they run side by side.
 std::uint64_t sum_of(const char* bytes, std::size_t size) {
     constexpr std::uint64_t factor = 0x9E3779B97F4A7C15u;
-    std::uint64_t chain[4] = {size, 1, 2, 3};
-    for (std::size_t at = 0; at < size; at += 32) {
-        std::uint64_t words[4] = {0, 0, 0, 0};
-        std::memcpy(words, bytes + at, std::min<std::size_t>(32, size - at));
-        for (int i = 0; i < 4; ++i) {
-            chain[i] = (chain[i] ^ words[i]) * factor;
-            chain[i] ^= chain[i] >> 29;
-        }
+    const auto step = [](std::uint64_t chain, std::uint64_t word) {
+        chain = (chain ^ word) * factor;
+        return chain ^ chain >> 29;
+    };
+    std::uint64_t a = size, b = 1, c = 2, d = 3;
+    std::uint64_t words[4];
+    std::size_t at = 0;
+    for (; at + sizeof words <= size; at += sizeof words) {
+        std::memcpy(words, bytes + at, sizeof words);
+        a = step(a, words[0]), b = step(b, words[1]), c = step(c, words[2]), d = step(d, words[3]);
+    }
+    if (at < size) {
+        std::memset(words, 0, sizeof words);
+        std::memcpy(words, bytes + at, size - at);
+        a = step(a, words[0]), b = step(b, words[1]), c = step(c, words[2]), d = step(d, words[3]);
     }
     std::uint64_t sum = 0;
-    for (const std::uint64_t c : chain) sum = ((sum ^ c) * factor) ^ (sum >> 32);
+    for (const std::uint64_t chain : {a, b, c, d}) sum = ((sum ^ chain) * factor) ^ (sum >> 32);
     return sum;
 }
 
@@ -101,6 +108,7 @@ private:
     void map_anew(std::size_t i, int access) {
         if (::mmap(memory_ + i * piece, piece, access, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == MAP_FAILED)
             throw std::runtime_error("no memory for the text of " + shown_);
+        if (access != PROT_NONE) base::prefer_large_pages(memory_ + i * piece, piece);
     }
 
     /// Bytes `[from, from + most)` of the file to their place; `count`: how many there were.

@@ -65,13 +65,15 @@ struct Found {
     bool told = false;
 };
 
-/// Whether a word can still tell anything. Nearly every block has X and Y words, and only the first ones tell.
-bool tells_more(const Found& found, Code code) {
-    switch (code) {
+/// Whether a word can still tell anything. Nearly every block has X and Y words, and G0 to G3, and only the first
+/// ones tell.
+bool tells_more(const Found& found, const program::Unit& unit, const program::Word& w) {
+    const Code code = program::code_of(w);
+    switch (code == Code::named_value ? unit.address(w) : code) {
         case Code::x: return !found.told && !found.x;
         case Code::y: return !found.mill;
+        case Code::modal: return program::modal_of(w) > Modal::arc_ccw;
         case Code::m:
-        case Code::modal:
         case Code::speed_limit: return true;
         default: return false;
     }
@@ -95,12 +97,15 @@ void take(Found& found, const program::Unit& unit, const program::Statement& s, 
     if (places.size() < enough) places.push_back(at);
 }
 
+/// The words lie one behind the other; which statement one belongs to is asked of those that tell something.
 Found find_signs(const program::Unit& unit) {
     Found found;
-    for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
-        const program::Statement& s = unit.statements[i];
-        for (std::uint32_t k = s.first, end = unit.words_end(i); k < end; ++k)
-            if (tells_more(found, unit.address(unit.words[k]))) take(found, unit, s, unit.words[k]);
+    if (unit.statements.empty()) return found;
+    const auto behind = [](std::uint32_t i, const program::Statement& s) { return i < s.first; };
+    for (std::uint32_t i = unit.statements.front().first; i < unit.words.size(); ++i) {
+        if (!tells_more(found, unit, unit.words[i])) continue;
+        const auto next = std::upper_bound(unit.statements.begin(), unit.statements.end(), i, behind);
+        take(found, unit, *(next - 1), unit.words[i]);
     }
     return found;
 }

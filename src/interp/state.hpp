@@ -116,6 +116,8 @@ struct Reckoning : Saying, ToolRack {
 
     ModalState modal;
     program::Modes modes{};  ///< what words of the program mean by, where its reader asks for that
+    /// By ModeSpan::use: what a block found and left as the modes are now, so that its like need not look again.
+    std::array<const program::ModeUse*, 4> modes_fit{};
     Offsets offsets;
     SpindleState spindle;
     OtherSpindles spindles;

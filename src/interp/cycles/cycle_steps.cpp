@@ -111,10 +111,10 @@ void emit_step(Telling& run, cl::Step step) {
     } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
         thread->to = place(thread->to);
     } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
-        auto placed = plane_move(run, plane_arc(*arc), arc->rapid);
+        const std::optional<PlaneMove> placed = plane_move(run, plane_arc(*arc), arc->rapid);
         if (!placed) return circle_alarm(run, run.here());
         place(arc->to);
-        step = std::move(*placed);
+        std::visit([&step](const auto& move) { step = move; }, *placed);
     }
     emit(run, std::move(step));
 }

@@ -1,5 +1,7 @@
 /// How a run begins: what machine, job and program say before the first block.
 
+#include <algorithm>
+
 #include "base/whole.hpp"
 #include "interp/capture.hpp"
 #include "interp/flow/flow.hpp"
@@ -70,10 +72,11 @@ std::uint32_t first_preset(const Saying& run, const Unit& main) {
 void choose_reference_datum(Telling& run, const Unit& main) {
     if (keeps_offsets(run)) {
         run.modal.datum = 54;
-        for (const program::Word& w : main.words)
-            if (program::code_of(w) == Code::modal && program::modal_of(w) >= Modal::tool_length &&
-                program::modal_of(w) <= Modal::tool_length_added)
-                run.offsets.compensates = true;
+        const bool compensates = std::any_of(main.words.begin(), main.words.end(), [](const program::Word& w) {
+            return program::code_of(w) == Code::modal && program::modal_of(w) >= Modal::tool_length &&
+                   program::modal_of(w) <= Modal::tool_length_added;
+        });
+        run.offsets.compensates = run.offsets.compensates || compensates;
         return begin_offsets(run);
     }
     for (const program::Word& w : main.words) {

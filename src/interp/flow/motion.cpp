@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
@@ -122,6 +123,29 @@ void judge_inverse_feed(Moving& run) {
               "write F in the block, or a feed per minute before it");
 }
 
+/// Words that make of the block something else than a way to its coordinates; nothing where it goes there all the same.
+std::optional<bool> special_motion(Cycling& run) {
+    switch (const Modal special = run.block.special) {
+        case Modal::pole_from_position:
+        case Modal::pole_from_zero:
+        case Modal::pole_from_pole:
+        case Modal::pole_given: set_pole(run); return false;
+        case Modal::set_data:
+        case Modal::position_becomes:
+        case Modal::local_shift:
+        case Modal::tool_length_by_axes: return false;
+        case Modal::spline_cubic:
+        case Modal::spline_quadratic:
+        case Modal::nurbs_end: begin_motion(run); return spline_motion(run);
+        case Modal::turning_cycle: begin_motion(run); return turning_cycle(run);
+        case Modal::circle_pocket: begin_motion(run); return circle_pocket(run);
+        case Modal::home: go_home(run); return true;
+        default:
+            if (special >= Modal::scaling_on && special <= Modal::rotation_off) return false;
+            return std::nullopt;
+    }
+}
+
 }  // namespace
 
 bool motion(Cycling& run) {
@@ -137,32 +161,10 @@ bool motion(Cycling& run) {
     const bool turns = (b.present & circle & ~words_of_orientation(b)) != 0 && run.modal.motion != Modal::linear &&
                        run.modal.motion != Modal::rapid && run.modal.motion != Modal::canned_off;
     const bool others = (b.present & other_axes) != 0 || !b.axes.empty();
-    if (b.special == Modal::pole_from_position || b.special == Modal::pole_from_zero ||
-        b.special == Modal::pole_from_pole || b.special == Modal::pole_given) {
-        set_pole(run);
-        return false;
-    }
-    if (b.special == Modal::set_data || b.special == Modal::position_becomes || b.special == Modal::local_shift ||
-        b.special == Modal::tool_length_by_axes || (b.special >= Modal::scaling_on && b.special <= Modal::rotation_off))
-        return false;
-    if (b.special == Modal::spline_cubic || b.special == Modal::spline_quadratic || b.special == Modal::nurbs_end) {
-        begin_motion(run);
-        return spline_motion(run);
-    }
+    if (b.special != Modal::linear)
+        if (const std::optional<bool> moved = special_motion(run)) return *moved;
     const bool knots = run.modal.motion == Modal::nurbs && (b.has(Code::k) || b.has(Code::p));
     if (knots && !moves) return spline_motion(run);
-    if (b.special == Modal::turning_cycle) {
-        begin_motion(run);
-        return turning_cycle(run);
-    }
-    if (b.special == Modal::circle_pocket) {
-        begin_motion(run);
-        return circle_pocket(run);
-    }
-    if (b.special == Modal::home) {
-        go_home(run);
-        return true;
-    }
     if (!moves && !turns && !others) return false;
     if (run.modal.feed_mode == cl::FeedMode::inverse_time) judge_inverse_feed(run);
     if (run.modal.rapid_by_cancel) say_rapid_by_cancel(run);

@@ -117,6 +117,8 @@ bool runs_read_again(RunState& run, std::uint32_t index) {
     const program::ModeTable& table = run.unit().modes;
     const ModeUse& use = table.uses[span->use];
     if (use.whole && index != span->first) return false;
+    const ModeUse*& fit = run.modes_fit[span->use % run.modes_fit.size()];
+    if (fit == &use) return false;
     if (program::different(table.states[use.before], run.modes, use.relied) != 0) {
         if (const program::PieceRead* piece = piece_at(run, index, use)) {
             run.top().pc = use.whole ? span->last : index + 1;
@@ -131,8 +133,13 @@ bool runs_read_again(RunState& run, std::uint32_t index) {
                   "say in the block, or before it where every way to it comes by, what is to hold");
     }
     const program::Modes& after = table.states[use.after];
-    for (std::size_t i = 0; i < program::mode_count; ++i)
-        if ((use.written >> i & 1U) != 0) run.modes[i] = after[i];
+    if (program::different(after, run.modes, use.written) != 0) {
+        run.modes_fit = {};
+        for (std::size_t i = 0; i < program::mode_count; ++i)
+            if ((use.written >> i & 1U) != 0) run.modes[i] = after[i];
+    } else if (program::different(table.states[use.before], run.modes, use.relied) == 0) {
+        fit = &use;
+    }
     return false;
 }
 

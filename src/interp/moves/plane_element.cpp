@@ -70,7 +70,7 @@ void plane_element(Moving& run, path::Element e, const Vec3& to, bool rapid) {
 
 std::optional<cl::Programmed> programmed_element(const Reckoning& run, const path::Element& e, bool rapid,
                                                  bool in_stream_already) {
-    const std::optional<cl::Step> move = plane_move(run, e, rapid, in_stream_already);
+    const std::optional<PlaneMove> move = plane_move(run, e, rapid, in_stream_already);
     if (!move) return std::nullopt;
     cl::Programmed p;
     p.rapid = rapid;

@@ -88,10 +88,12 @@ geom::Vec3 cartesian_target(Moving& run) {
     for (int k = 0; k < 3; ++k) {
         const Code code = axis_code(k);
         if (!b.has(code)) continue;
-        const bool incremental = is_incremental(run, b.ref(code));
-        const double v = b.get(code) * word_factor(run, k, b.ref(code));
+        const std::uint8_t reference = b.ref(code);
+        const bool incremental = is_incremental(run, reference);
+        const double factor = reference == 0 ? length_factor(run, k, incremental) : word_factor(run, k, reference);
+        const double v = b.get(code) * factor;
         coordinate(to, k) = incremental ? coordinate(to, k) + v : v;
-        if (is_way_round(b.ref(code))) refuse_way_round(run, k);
+        if (is_way_round(reference)) refuse_way_round(run, k);
     }
     if (run.look == Look::turned_subprogram) {
         if (b.has(Code::u)) to.x += b.get(Code::u) * length_factor(run, 0, true);
@@ -229,7 +231,7 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
         tell_place_in_frame(run);
-        emit(run, cl::Linear{run.position, run.tool_axis, rapid});
+        emit_line(run, cl::Linear{run.position, run.tool_axis, rapid});
         return;
     }
     plane_element(run, straight_element(at, to, a), to, rapid);

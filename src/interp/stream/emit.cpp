@@ -11,15 +11,30 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-void emit(Telling& run, cl::Step step) {
-    if (run.capture != nullptr) return;
-    run.record.step = std::move(step);
+namespace {
+
+/// The run's record goes out, from where the run is.
+void send_record(Telling& run) {
     run.record.from = run.along != nullptr ? run.along->where : run.here();
     run.record.stack = run.along != nullptr ? run.along->stack : run.top().stack;
     if (run.path->holds() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else
         send_plain(run, run.record);
+}
+
+}  // namespace
+
+void emit(Telling& run, cl::Step step) {
+    if (run.capture != nullptr) return;
+    run.record.step = std::move(step);
+    send_record(run);
+}
+
+void emit_line(Telling& run, const cl::Linear& line) {
+    if (run.capture != nullptr) return;
+    put_step(run.record.step, line);
+    send_record(run);
 }
 
 void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {

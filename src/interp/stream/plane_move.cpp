@@ -30,7 +30,7 @@ bool compensates_in_fixed_plane(const Telling& run) {
 
 namespace {
 
-cl::Step move_in_stream(const Reckoning& run, const path::Element& e, bool rapid) {
+PlaneMove move_in_stream(const Reckoning& run, const path::Element& e, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 to = in_space(a, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
@@ -39,7 +39,7 @@ cl::Step move_in_stream(const Reckoning& run, const path::Element& e, bool rapid
 
 }  // namespace
 
-std::optional<cl::Step> plane_move(const Reckoning& run, const path::Element& e, bool rapid, bool in_stream_already) {
+std::optional<PlaneMove> plane_move(const Reckoning& run, const path::Element& e, bool rapid, bool in_stream_already) {
     if (in_stream_already) return move_in_stream(run, e, rapid);
     const Vec3 to = point_in_stream(run, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
@@ -104,9 +104,9 @@ void emit_element(Telling& run, const path::Element& e, bool rapid, bool in_stre
         return emit_element(run, path::line(e.from, e.to, e.w_to), rapid, in_stream);
     }
     if (path::is_arc(e)) lead_to_arc(run, e, rapid, in_stream);
-    auto step = plane_move(run, e, rapid, in_stream);
-    if (!step) return circle_alarm(run, run.record.from);
-    run.record.step = std::move(*step);
+    const std::optional<PlaneMove> move = plane_move(run, e, rapid, in_stream);
+    if (!move) return circle_alarm(run, run.record.from);
+    std::visit([&run](const auto& m) { put_step(run.record.step, m); }, *move);
     send(run, run.record);
 }
 

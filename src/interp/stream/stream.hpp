@@ -2,6 +2,7 @@
 /// The stream: records, the frame and zero they stand in, brackets, and how contours come into it. Private to interp.
 
 #include <optional>
+#include <variant>
 #include <vector>
 
 #include "cl/totals.hpp"
@@ -116,10 +117,11 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
 [[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
 /// Of the working plane, in the stream's frame, as frames turn it.
 [[nodiscard]] geom::Vec3 plane_normal(const Reckoning&);
+using PlaneMove = std::variant<cl::Linear, cl::Arc>;
 /// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
 /// `in_stream`: the element is in the stream's frame, not in the programmed one.
-[[nodiscard]] std::optional<cl::Step> plane_move(const Reckoning&, const path::Element& element, bool rapid,
-                                                 bool in_stream = false);
+[[nodiscard]] std::optional<PlaneMove> plane_move(const Reckoning&, const path::Element& element, bool rapid,
+                                                  bool in_stream = false);
 void circle_alarm(Saying&, const base::Span& where);
 /// Before an arc that no path stage makes: to where the program stands, if compensation has left the tool beside it.
 void lead_to_place(Telling&);
@@ -127,7 +129,16 @@ void lead_to_place(Telling&);
 [[nodiscard]] bool compensates_in_fixed_plane(const Telling&);
 
 // --- emit.cpp
+/// Most records are followed by one of their kind: then there is nothing to take apart.
+template <class T>
+void put_step(cl::Step& step, const T& next) {
+    if (T* last = std::get_if<T>(&step))
+        *last = next;
+    else
+        step = next;
+}
 void emit(Telling&, cl::Step step);
+void emit_line(Telling&, const cl::Linear&);  ///< the same, of a straight move
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Telling&);

@@ -15,24 +15,10 @@ void arrive(Reckoning& run, const geom::Vec3& target) {
     run.position = run.frame_is_identity ? target : geom::apply(run.frame, target);
 }
 
-bool is_incremental(const Reckoning& run, std::uint8_t reference) {
-    if (reference == 0) return !run.modal.absolute;
-    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental) ||
-           reference == 1 + static_cast<std::uint8_t>(Reference::diameter_incremental) ||
-           reference == 1 + static_cast<std::uint8_t>(Reference::radius_incremental);
-}
-
 const shop::MachineAxis* machine_axis(const Saying& run, const std::string& name) {
     for (const shop::MachineAxis& a : run.env.machine.axes)
         if (a.name == name) return &a;
     return nullptr;
-}
-
-double length_factor(const Reckoning& run, int axis, bool incremental) {
-    double factor = length_unit(run.modal);
-    if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
-    if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
-    return factor * 0.5;
 }
 
 double word_factor(const Reckoning& run, int axis, std::uint8_t reference) {

@@ -36,12 +36,23 @@ namespace obrys::interp {
 [[nodiscard]] double programmed_coordinate(const Reckoning&, const std::string& axis);
 /// The axis of the program that a machine axis called X1, AX1 or MX1 is; nothing where the name is none such.
 [[nodiscard]] std::optional<std::string> machine_axis_name(const Saying&, const std::string& name);
+/// Whether a word with this reference (0 = as the modal state says) is incremental.
+[[nodiscard]] inline bool is_incremental(const Reckoning& run, std::uint8_t reference) {
+    using program::Reference;
+    if (reference == 0) return !run.modal.absolute;
+    return reference == 1 + static_cast<std::uint8_t>(Reference::incremental) ||
+           reference == 1 + static_cast<std::uint8_t>(Reference::diameter_incremental) ||
+           reference == 1 + static_cast<std::uint8_t>(Reference::radius_incremental);
+}
 /// Millimetres per programmed unit of a linear axis: inches, and diameters of a lathe's X.
-[[nodiscard]] double length_factor(const Reckoning&, int axis, bool incremental);
+[[nodiscard]] inline double length_factor(const Reckoning& run, int axis, bool incremental) {
+    const double factor = length_unit(run.modal);
+    if (axis != 0 || run.modal.diameter == DiameterMode::off) return factor;
+    if (run.modal.diameter == DiameterMode::absolute_only && incremental) return factor;
+    return factor * 0.5;
+}
 /// The same of a word with its own reference (DIC, RAC …; 0: as the modal state says).
 [[nodiscard]] double word_factor(const Reckoning&, int axis, std::uint8_t reference);
-/// Whether a word with this reference (0 = as the modal state says) is incremental.
-[[nodiscard]] bool is_incremental(const Reckoning&, std::uint8_t reference);
 /// The machine's axis of that name, or null.
 [[nodiscard]] const shop::MachineAxis* machine_axis(const Saying&, const std::string& name);
 /// The tool stands at `to` (programmed frame) from here on.

@@ -64,7 +64,7 @@ void read_address(FanucState& s, bool comma) {
 
 void note_number(FanucState& s) {
     if (!s.number) return;
-    s.block_numbers[*s.number].push_back(static_cast<std::uint32_t>(s.unit().statements.size()));
+    s.block_numbers.push_back({*s.number, static_cast<std::uint32_t>(s.unit().statements.size())});
 }
 
 Address* find_address(FanucState& s, char letter) {

@@ -200,18 +200,22 @@ void close_program(FanucState& s) {
         }
         unit.statements.back().flags = 0;  // not in the text: it begins no block
     }
-    const auto places = [&](std::uint32_t n) -> const std::vector<std::uint32_t>* {
-        const auto found = s.block_numbers.find(n);
-        return found == s.block_numbers.end() ? nullptr : &found->second;
+    std::vector<NumberedBlock>& numbered = s.block_numbers;
+    const auto before = [](const NumberedBlock& x, const NumberedBlock& y) { return x.number < y.number; };
+    if (!s.jumps.empty() || !s.labels.empty() || !s.section_labels.empty())
+        std::stable_sort(numbered.begin(), numbered.end(), before);
+    const auto places = [&](std::uint32_t n) {
+        std::vector<std::uint32_t> statements;
+        const auto [first, last] = std::equal_range(numbered.begin(), numbered.end(), NumberedBlock{n, 0}, before);
+        for (auto at = first; at != last; ++at) statements.push_back(at->statement);
+        return statements;
     };
-    for (const PendingJump& j : s.jumps) {
-        if (const auto* at = places(j.number); at != nullptr && at->size() == 1)
-            unit.jumps[j.jump].target = at->front();
-    }
+    for (const PendingJump& j : s.jumps)
+        if (const auto at = places(j.number); at.size() == 1) unit.jumps[j.jump].target = at.front();
     for (const PendingLabel& l : s.labels)
-        if (const auto* at = places(l.number)) unit.label_calls[l.entry].target = at->front();
+        if (const auto at = places(l.number); !at.empty()) unit.label_calls[l.entry].target = at.front();
     for (const std::uint32_t n : s.section_labels)
-        if (const auto* at = places(n)) unit.labels[s.build().name("N" + std::to_string(n))] = *at;
+        if (auto at = places(n); !at.empty()) unit.labels[s.build().name("N" + std::to_string(n))] = std::move(at);
     s.jumps.clear(), s.labels.clear(), s.section_labels.clear(), s.block_numbers.clear();
 }
 

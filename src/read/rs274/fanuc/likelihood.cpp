@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bitset>
 #include <cstdlib>
 
 #include "base/text.hpp"
@@ -11,16 +12,40 @@ namespace obrys::read::rs274 {
 
 namespace {
 
+/// Which bytes stand beside which in a text: most patterns of the tables need not be looked for in most texts.
+class Pairs {
+public:
+    void add(std::string_view text) {
+        for (std::size_t i = 0; i + 1 < text.size(); ++i) held_.set(place(text[i], text[i + 1]));
+    }
+    /// False: the pattern, of which `~` is any digit, stands nowhere.
+    [[nodiscard]] bool may_hold(std::string_view pattern) const {
+        for (std::size_t i = 0; i + 1 < pattern.size(); ++i)
+            if (pattern[i] != '~' && pattern[i + 1] != '~' && !held_.test(place(pattern[i], pattern[i + 1])))
+                return false;
+        return true;
+    }
+
+private:
+    static std::size_t place(char a, char b) {
+        return std::size_t{static_cast<unsigned char>(a)} << 8 | static_cast<unsigned char>(b);
+    }
+    std::bitset<std::size_t{1} << 16> held_;
+};
+
 /// The text's words: upper case, without blanks and comments, each line ending with a line feed.
 struct Squeezed {
     std::string code, comments;
     std::vector<std::uint32_t> from;  ///< byte of the text for each one of `code`
+    Pairs pairs;                      ///< of `code`
 };
 /// Block numbers are left out: a pattern for the begin of a line means the first word.
 Squeezed squeeze(std::string_view text) {
     Squeezed out;
     bool comment = false, number = false;
     const std::size_t size = std::min(text.size(), base::telling_bytes);
+    out.code.reserve(size);
+    out.from.reserve(size);
     const auto take = [&out](char c, std::size_t at) {
         out.code += c;
         out.from.push_back(static_cast<std::uint32_t>(at));
@@ -40,6 +65,7 @@ Squeezed squeeze(std::string_view text) {
             take(c, i);
         }
     }
+    out.pairs.add(out.code);
     return out;
 }
 
@@ -58,9 +84,15 @@ bool stands_at(std::string_view text, std::size_t i, std::string_view pattern) {
 }
 
 /// Occurrences of a pattern, at most `most`; `first`: where the first one stands.
-int count(std::string_view text, std::string_view pattern, std::size_t* first = nullptr, int most = 3) {
+int count(const Squeezed& t, std::string_view pattern, std::size_t* first = nullptr, int most = 3) {
+    const std::string_view text = t.code;
+    const bool begins_line = pattern.front() == '@';
+    const std::string_view due = pattern.substr(begins_line ? 1 : 0);
+    if (!t.pairs.may_hold(due)) return 0;
     int n = 0;
-    for (std::size_t i = 0; i < text.size() && n < most; ++i) {
+    // No pattern begins with a digit, so its first byte stands for itself.
+    for (std::size_t i = text.find(due.front()); i != std::string_view::npos && n < most;
+         i = text.find(due.front(), i + 1)) {
         if (!stands_at(text, i, pattern)) continue;
         if (n == 0 && first != nullptr) *first = i;
         ++n;
@@ -116,15 +148,15 @@ std::string found(std::string_view text, std::size_t at, std::string_view patter
 }
 
 template <std::size_t n>
-int sum(std::string_view text, const std::array<Sign, n>& table, std::vector<std::string>* signs = nullptr) {
+int sum(const Squeezed& t, const std::array<Sign, n>& table, std::vector<std::string>* signs = nullptr) {
     constexpr int says_something = 5;  // what other controls write as well is no sign
     int total = 0;
     for (const Sign& s : table) {
         std::size_t at = 0;
-        const int times = count(text, s.pattern, &at);
+        const int times = count(t, s.pattern, &at);
         total += s.weight * times;
         if (times == 0 || signs == nullptr || s.weight < says_something) continue;
-        std::string words = found(text, at, s.pattern);
+        std::string words = found(t.code, at, s.pattern);
         if (std::find(signs->begin(), signs->end(), words) == signs->end()) signs->push_back(std::move(words));
     }
     return total;
@@ -156,7 +188,7 @@ int suffix_score(std::string_view file_name) {
 }
 
 int plain_score(const Squeezed& t, std::string_view file_name, std::vector<std::string>* signs) {
-    return 8 + sum(t.code, own_signs, signs) - sum(t.code, foreign_signs) + points(t.code) + suffix_score(file_name);
+    return 8 + sum(t, own_signs, signs) - sum(t, foreign_signs) + points(t.code) + suffix_score(file_name);
 }
 
 }  // namespace
@@ -172,7 +204,7 @@ int haas_likelihood(std::string_view text, std::string_view file_name, std::vect
     if (score <= 0) return 0;
     const bool named = (t.comments + base::to_upper(file_name)).find("HAAS") != std::string::npos;
     if (named && signs != nullptr) signs->emplace_back("\"Haas\"");
-    const int own_words = sum(t.code, haas_signs, signs) + (named ? 20 : 0);
+    const int own_words = sum(t, haas_signs, signs) + (named ? 20 : 0);
     return std::clamp(own_words > 0 ? std::min(score, 85) + own_words : std::min(score - 5, 90), 0, 100);
 }
 
@@ -190,7 +222,7 @@ int weigh(const Squeezed& t, std::uint32_t file, const std::array<Sign, n>& tabl
     int total = 0;
     for (const Sign& s : table) {
         std::size_t at = 0;
-        const int times = count(t.code, s.pattern, &at);
+        const int times = count(t, s.pattern, &at);
         total += s.weight * times;
         if (times > 0) places.push_back(place_of(t, file, at, s.pattern));
     }

@@ -49,11 +49,15 @@ void FanucModes::end_piece(ModeTable& table, Piece piece, bool good) {
     u.written = written_;
     u.piece = static_cast<std::uint8_t>(pieces_.size() - 1);
     u.whole = piece.last - piece.first > 1 || u.before != u.after;
-    const std::uint32_t n = use(table, u);
-    if (!u.whole && !table.spans.empty() && table.spans.back().last == piece.first && table.spans.back().use == n)
-        table.spans.back().last = piece.last;
+    add_span(table, piece, use(table, u));
+}
+
+void FanucModes::add_span(ModeTable& table, Piece piece, std::uint32_t use) {
+    std::vector<program::ModeSpan>& spans = table.spans;
+    if (!table.uses[use].whole && !spans.empty() && spans.back().last == piece.first && spans.back().use == use)
+        spans.back().last = piece.last;
     else
-        table.spans.push_back({piece.first, piece.last, n});
+        spans.push_back({piece.first, piece.last, use});
 }
 
 }  // namespace obrys::read::rs274

@@ -61,6 +61,8 @@ public:
     void begin_piece();
     /// The piece's statements. `good`: what it asked counts, too; else a complaint stands in its place.
     void end_piece(program::ModeTable& table, Piece piece, bool good);
+    /// Statements that depend on modes as `use` says, behind all others.
+    static void add_span(program::ModeTable& table, Piece piece, std::uint32_t use);
     [[nodiscard]] bool has_written() const { return written_ != 0; }
     [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }  ///< of the block
     /// All of them at a time: what is laid aside to be put back asks for nothing.

@@ -6,13 +6,10 @@
 
 namespace obrys::read::rs274 {
 
+using testing::pick;
 using testing::Reading;
 
 namespace {
-
-std::string pick(std::mt19937& random, const std::vector<std::string>& from) {
-    return from[std::uniform_int_distribution<std::size_t>(0, from.size() - 1)(random)];
-}
 
 void check_tree(const Reading& r, const std::string& text) {
     const std::size_t size = r.sources[r.file].text.size();

@@ -11,8 +11,8 @@ using dialect::rs274::FanucMachine;
 namespace {
 
 std::size_t line_end(std::string_view text, std::size_t at) {
-    const std::size_t end = text.find_first_of("\r\n", at);
-    return end == std::string_view::npos ? text.size() : end;
+    while (at < text.size() && text[at] != '\n' && text[at] != '\r') ++at;
+    return std::min(at, text.size());
 }
 
 /// Length of `O1234`, `:1234`, `ONAME`, `<NAME>` at the begin of a line without blanks in front; 0 where none stands
@@ -83,12 +83,21 @@ std::size_t find_header(std::string_view text, std::size_t at) {
     return std::string_view::npos;
 }
 
+/// Begin of the line from `at` on in which the next `%` stands; the text's end where there is none.
+std::size_t next_sign_line(std::string_view text, std::size_t at) {
+    std::size_t sign = std::min(text.find('%', at), text.size());
+    if (sign == text.size()) return sign;
+    while (sign > at && text[sign - 1] != '\n' && text[sign - 1] != '\r') --sign;
+    return sign;
+}
+
 /// Of the text from `from` on.
 Extent extent_of(std::string_view text, std::size_t from) {
     Extent e{from, text.size(), false, false, false};
     std::size_t header = std::string_view::npos;
     LinesBefore before;
     for (std::size_t at = from; at < text.size();) {
+        if (before.program && before.blocks) at = next_sign_line(text, at);
         const std::size_t end = line_end(text, at);
         const std::string_view line = base::trim(text.substr(at, end - at));
         if (!line.empty() && line[0] == '%') {
@@ -174,6 +183,7 @@ void begin_program(FanucState& s, std::string name, std::size_t at) {
     s.unit().modes.reader = s.parts.front().unit.modes.reader;
     if (first) s.unit().modes.reader = reader_of_pieces(s);
     s.modes.begin_program(modes);
+    s.plain.begin_program();
 }
 
 void due_program(FanucState& s, const base::Source& source, std::size_t at) {
@@ -221,21 +231,32 @@ void read_line(FanucState& s, const base::Source& source, std::size_t begin, std
     read_piece(s, source, from, end);
 }
 
+/// A line that begins at `at`; the place behind its words, before its end. `block` is room for it.
+std::size_t read_next_line(FanucState& s, const base::Source& source, std::size_t at, std::size_t most,
+                           PlainBlock& block) {
+    const bool plain = s.part != nullptr && scan_plain_block(s.text, at, most, s.control.is_lathe(), block);
+    if (plain && s.plain.add(s, block)) return block.end;
+    const std::size_t end = std::min(line_end(s.text, at), most);
+    if (at == end) return end;
+    const PlainBlocks::Before before = plain ? PlainBlocks::before(s) : PlainBlocks::Before{};
+    read_line(s, source, at, end);
+    if (plain) s.plain.learn(s, block, before);
+    return end;
+}
+
 /// All programs of the text, between as many pairs of `%` as there are; the last part.
 Extent read_extents(FanucState& s, const base::Source& source) {
     const std::string_view text = base::without_end_signs(s.text);
     Extent e = extent_of(text, 0);
+    PlainBlock block;
     for (bool first = true;; first = false) {
         const bool goes_on = e.has_rest && find_header(text, e.end) != std::string_view::npos;
         Extent said = e;
         said.has_rest = e.has_rest && !goes_on;
         said.has_sign = said.has_sign || !first;
         note_extent(s, said);
-        for (std::size_t at = e.begin; at < e.end;) {
-            const std::size_t end = std::min(line_end(text, at), e.end);
-            if (at < end) read_line(s, source, at, end);
-            at = end + 1;
-        }
+        for (std::size_t at = e.begin; at < e.end;)
+            at = line_end(text, read_next_line(s, source, at, e.end, block)) + 1;
         if (!goes_on) return e;
         e = extent_of(text, e.end);
     }

@@ -1,6 +1,8 @@
 #pragma once
 /// Test side only: a FANUC or Haas program read, with everything that belongs to it.
 
+#include <random>
+
 #include "read/rs274/fanuc/read.hpp"
 #include "read/rs274/reading.hpp"
 
@@ -23,6 +25,9 @@ inline Reading lathe(std::string text) {
                    [](std::uint32_t file, const base::Sources& s, program::Names& n, base::Diagnostics& d) {
                        return read_fanuc(file, s, n, d, {.machine = dialect::rs274::FanucMachine::lathe});
                    });
+}
+inline std::string pick(std::mt19937& random, const std::vector<std::string>& from) {
+    return from[std::uniform_int_distribution<std::size_t>(0, from.size() - 1)(random)];
 }
 /// A program in millimetres between its signs.
 inline std::string program(const std::string& lines) { return "%\nO1\nG21\n" + lines + "\nM30\n%\n"; }

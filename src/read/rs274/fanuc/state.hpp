@@ -3,11 +3,11 @@
 /// in the program (units, hole cycles, systems): that is asked through FanucModes alone, which notes it for the run.
 
 #include <array>
-#include <map>
 
 #include "base/function_ref.hpp"
 #include "dialect/rs274/fanuc.hpp"
 #include "read/rs274/fanuc/modes.hpp"
+#include "read/rs274/fanuc/plain_block.hpp"
 #include "read/rs274/state.hpp"
 
 namespace obrys::read::rs274 {
@@ -59,6 +59,9 @@ struct PendingJump {
     std::size_t jump = 0;  ///< in Unit::jumps
     std::uint32_t number = 0;
 };
+struct NumberedBlock {
+    std::uint32_t number = 0, statement = 0;
+};
 /// A call of a section by the number of its first block (M97).
 struct PendingLabel {
     std::size_t entry = 0;  ///< in Unit::label_calls
@@ -106,6 +109,8 @@ struct FanucState : State {
     bool corner_said = false;
     bool draws = false;  ///< of lathes: A is an angle, so that R and C are words of direct drawing input
 
+    PlainBlocks plain{};  ///< of the program at hand
+
     // The block at hand.
     std::vector<Address> addresses;
     /// `/` between them: how many stand in front of it, and its level + 1.
@@ -127,7 +132,7 @@ struct FanucState : State {
     // The program at hand.
     std::vector<FanucLoop> loops;
     std::vector<FanucIf> ifs;
-    std::map<std::uint32_t, std::vector<std::uint32_t>> block_numbers;  ///< statements of each block number
+    std::vector<NumberedBlock> block_numbers;  ///< in the order of the text; as its jumps need them at its end
     std::vector<PendingJump> jumps;
     std::vector<PendingLabel> labels;
     std::vector<std::uint32_t> section_labels;  ///< block numbers that become labels: first and last ones of contours
