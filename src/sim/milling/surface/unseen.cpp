@@ -14,7 +14,7 @@ using geom::Vec3;
 
 constexpr double blunt = 0.9;  ///< cosine between two faces' directions from which on planes alone tell of an edge
 constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a part of a cell
-constexpr std::size_t most_parts = 600;                  ///< of a group of cells
+constexpr std::size_t most_parts = 200;                  ///< of a group of cells
 constexpr double smallest_part = 0.06;                   ///< steps: half of one that is not divided any more
 constexpr double part_margin = 0.25;                     ///< of a part's size: how far around it is looked
 constexpr double same_face = 0.05;  ///< of what bodies may reach over a place: hidden but for so much
@@ -95,13 +95,14 @@ private:
     /// one or two have a face there. Bodies lie behind their tangent planes, and distances from others are convex, so
     /// corners tell.
     void drop_hidden(const Part& part, std::vector<Face>& faces) const {
-        const double size = part.reach;
+        const Vec3 size = (1 + part_margin) * part.half;
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
         std::vector<Face> kept;
         std::vector<std::array<double, 8>> over;  // how far corners lie outside of those that may hide others
         const auto corner = [&](std::size_t c) {
-            return Vec3{(c & 1U) != 0 ? size : -size, (c & 2U) != 0 ? size : -size, (c & 4U) != 0 ? size : -size};
+            return Vec3{(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
+                        (c & 4U) != 0 ? size.z : -size.z};
         };
         for (const Face& f : faces) {
             const bool convex = f.body > 0 && exact_.parts_of(near_.sweeps[f.body - 1].shape).size() == 1;
