@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "sim/certify/certify.hpp"
 #include "sim/certify/closest.hpp"
@@ -19,9 +20,11 @@ constexpr int most_reaches = 60;
 /// Times as deep as the tool in the part an edge may lie in the tool: that of an edge of 60 degrees. What goes through
 /// something thin has all of its surface in the tool; twice its deepest place is its thickness, and no more than that.
 constexpr double sharpest = 2;
-constexpr double as_deep = 0.9;    ///< of the deepest: in the middle of the same thin thing
-constexpr double thickest = 2.2;   ///< times as deep as its deepest place is something thin
-constexpr double edge_from = 1.1;  ///< times as deep as the tool in the part lies the part's surface in the tool
+constexpr double as_deep = 0.9;        ///< of the deepest: in the middle of the same thin thing
+constexpr double thickest = 2.2;       ///< times as deep as its deepest place is something thin
+constexpr double ahead = 0.5;          ///< cosine
+constexpr double almost_whole = 1.98;  ///< times as deep as its deepest place is what is thin
+constexpr double edge_from = 1.1;      ///< times as deep as the tool in the part lies the part's surface in the tool
 
 Vec3 unit_of(Vec3 v) {
     const double size = length(v);
@@ -105,18 +108,30 @@ double Judge::through(const Spot& spot) const {
         double both = 0;
         for (const Vec3& w : {way, -1.0 * way}) {
             const double reach = reach_along(*spot.piece, s.at, w, most);
-            if (out && spot_at(s.at + reach * w).depth > least) return 0.0;
+            const Spot end = spot_at(s.at + reach * w);
+            if (out && end.depth > least) return 0.0;
+            // Where the tool ends first, what is thin has its other side ahead: at the rim of a pocket it lies aside.
+            if (end.depth > least && dot(unit_of(end.place.at - end.at), w) < ahead) return 0.0;
             both += reach;
         }
         return both <= most ? both : 0;
     };
     double through = both_ways(spot, false);
     const Vec3 along = unit_of(spot.piece->way), across = unit_of(cross(spot.piece->axis, along));
-    for (const Vec3& aside : {spot.piece->axis, along, across})
-        for (const double far : {-1.5, -0.75, 0.75, 1.5}) {
-            const Spot s = spot_at(nearest_within(*spot.piece, spot.at + far * spot.depth * aside));
+    const auto look = [&](Vec3 aside, std::span<const double> far) {
+        for (const double f : far) {
+            if (through > almost_whole * spot.depth) return;
+            const Spot s = spot_at(nearest_within(*spot.piece, spot.at + f * spot.depth * aside));
             if (s.depth >= as_deep * spot.depth) through = std::max(through, both_ways(s, true));
         }
+    };
+    constexpr std::array near{-1.5, -0.75, 0.75, 1.5};
+    constexpr std::array far{-6.0, -5.0, -4.0, -3.0, -2.25, -1.5, -0.75, 0.75, 1.5, 2.25, 3.0, 4.0, 5.0, 6.0};
+    for (const Vec3& aside : {spot.piece->axis, along, across}) look(aside, near);
+    // All over the middle of what is thin a tool is as deep: the place that was found may lie at its tip or flank,
+    // where it is not as wide as what it goes through.
+    const Vec3 normal = unit_of(spot.place.at - spot.at), up = unit_of(cross(normal, cross(spot.piece->axis, normal)));
+    for (const Vec3& aside : {up, cross(normal, up)}) look(aside, far);
     return through > spot.depth + least ? through : spot.depth;
 }
 

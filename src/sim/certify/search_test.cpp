@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -121,6 +122,38 @@ TEST(CertifiedSearch, what_goes_through_air_of_the_stock_is_clear_of_the_part_in
     EXPECT_FALSE(judge.is_clear(move(-1.005)));
     EXPECT_TRUE(judge.is_clear(move(-1.005), Judge::Of::part_in_stock));
     EXPECT_FALSE(judge.is_clear(move(-1.02), Judge::Of::part_in_stock));
+}
+
+// A tool takes a strip off the edge of a slab, wider than it is deep: where the edge's other face is as near, the way
+// from there to the tool's side is no thickness.
+TEST(CertifiedSearch, the_strip_off_an_edge_is_no_thin_wall) {
+    const Shape mill = mill_of(3);
+    const Judge judge(slab(), 0.01);
+    constexpr double deep = 0.15;
+    for (const double wide : {0.2, 0.269, 0.3})
+        for (const double off : {-1e-9, 0.0, 1e-9, 1e-6}) {
+            const double x = 60 - wide + 3;
+            const geom::Straight way{{x, -10, -deep}, {x, 50, -deep}};
+            const std::optional<Depth> d = judge.deepest({way, {0, 0, 1}, &mill}, Vec3{60 - deep + off, 20, -deep});
+            ASSERT_TRUE(d) << wide;
+            EXPECT_NEAR(d->depth, deep, 0.05 * deep) << wide << " off " << off;
+        }
+}
+
+// A pointed tool goes askew through a wall: with its tip it does not fill it, higher up it does.
+TEST(CertifiedSearch, a_point_through_a_wall_is_as_deep_as_the_wall_is_thick) {
+    constexpr double thick = 1.26;
+    const mesh::Distance wall(mesh::box({-thick / 2, -40, -10}, {thick / 2, 40, 4}));
+    const Judge judge(wall, 0.05);
+    const double slope = std::tan(geom::radians(15.0));
+    const Shape point{{0, 0, 20 * slope, 20, 0}};
+    for (const double askew : {0.0, 0.2, 0.4})
+        for (const double up : {0.0, 1.0, 2.2}) {
+            const geom::Straight way{{-17, -17 * askew, 0.9}, {17, 17 * askew, 0.9}};
+            const std::optional<Depth> d = judge.deepest({way, {0, 0, 1}, &point}, Vec3{0, up * slope, 0.9 + up});
+            ASSERT_TRUE(d) << askew;
+            EXPECT_NEAR(d->depth, thick, 0.02 * thick) << askew << " from " << up;
+        }
 }
 
 }  // namespace

@@ -21,6 +21,7 @@ using geom::Vec3;
 constexpr double fine_sampled = 0.5, fine_within = 0.8;
 constexpr double small_leaf = 8;  ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
+constexpr int more_levels = 2;  ///< for what is off by more than the tolerance, and for places looked for: needles
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
 /// The largest slopes of a body's distance over a cell make its least value there: the distance is convex.
@@ -54,7 +55,8 @@ Fine::Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBit
       coarse_(coarse),
       tolerance_(tolerance),
       stop_(stop),
-      leaves_(lattice, levels_for(lattice, tolerance)),
+      leaves_(lattice, levels_for(lattice, tolerance) + more_levels),
+      usual_(std::max(1, leaves_.unit() >> static_cast<unsigned>(levels_for(lattice, tolerance)))),
       exact_(exact) {}
 
 void Fine::refine(const std::vector<Place>& cells) {
@@ -269,7 +271,8 @@ std::vector<Leaf> Fine::leaves_to_split() {
         if (own) {
             const Near near = exact_.near(all_[n], false);
             leaves_.each_leaf(all_[n], [&](const Leaf& leaf) {
-                if (leaf.size > 1 && leaves_.is_of(leaf, round_) && needs_split(near, leaf)) found[n].push_back(leaf);
+                if (leaf.size > usual_ && leaves_.is_of(leaf, round_) && needs_split(near, leaf))
+                    found[n].push_back(leaf);
             });
         }
         for (const std::uint32_t e : edges[n]) {
@@ -278,9 +281,12 @@ std::vector<Leaf> Fine::leaves_to_split() {
                 continue;
             }
             const std::size_t before = found[n].size();
-            for (const Leaf& leaf : edges_[e].around)
-                if (leaf.size > 1) found[n].push_back(leaf);
-            if (found[n].size() == before && is_off(all_[n], e, tolerance_, tolerance_))
+            const auto halve_down_to = [&](std::int32_t size) {
+                for (const Leaf& leaf : edges_[e].around)
+                    if (leaf.size > size) found[n].push_back(leaf);
+                return found[n].size() > before;
+            };
+            if (!halve_down_to(usual_) && is_off(all_[n], e, tolerance_, tolerance_) && !halve_down_to(1))
                 given_up[n].push_back(edges_[e].around[0]);
         }
     });

@@ -134,6 +134,7 @@ private:
     double tolerance_;
     const Stop& stop_;
     Leaves leaves_;
+    std::int32_t usual_;  ///< size down to which leaves are halved, whatever is asked of them
     Exact& exact_;
     KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node

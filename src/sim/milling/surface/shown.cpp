@@ -109,7 +109,8 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     for (int round = 0; round < most_rounds; ++round) {
         if (stop && stop()) return;
         if (round > 0) cells = new_cells(fine, known);
-        const std::vector<Vec3> edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together);
+        const std::vector<Vec3> edges =
+            edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
         places.insert(places.end(), edges.begin(), edges.end());
         const mesh::Mesh now = mesh();
         std::vector<Unshown> wrong = unshown(now, places, lattice, wanted * tolerance);

@@ -13,42 +13,32 @@ namespace {
 using geom::Vec3;
 
 constexpr double blunt = 0.9;  ///< cosine between two faces' directions from which on planes alone tell of an edge
-constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a cell
+constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a part of a cell
+constexpr std::size_t most_parts = 200;                  ///< of a group of cells
+constexpr double smallest_part = 0.06;                   ///< steps: half of one that is not divided any more
+constexpr double part_margin = 0.25;                     ///< of a part's size: how far around it is looked
+constexpr double same_face = 0.05;  ///< of what bodies may reach over a place: hidden but for so much
 
-/// Edges and corners near one cell, or some together.
+/// Edges and corners near one cell, or some together: part by part where many faces are near.
 class CellEdges {
 public:
     CellEdges(const Exact& exact, const Place& low, const Place& cell, std::int32_t together, double allowed)
         : exact_(exact), allowed_(allowed) {
         const Lattice& l = exact.lattice();
-        middle_ = l.node(low[0], low[1], low[2]) + (0.5 * together) * l.step;
         step_ = std::min({l.step.x, l.step.y, l.step.z});
-        steps_ = together;
-        const double reach = 0.5 * together * length(l.step) + 0.5 * step_;
-        reach_ = 0.99 * reach;
-        near_ = exact.near(cell, middle_, reach, false);
-        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) {
-            const Exact::Side side = exact.side(near_, body, middle_);
-            if (side.outside < -reach) {
-                faces_.clear();  // the cell lies in it
-                return;
-            }
-            if (side.outside < reach) faces_.push_back({body, side});
-        }
-        std::sort(faces_.begin(), faces_.end(),
-                  [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
-        if (faces_.size() > most_faces) faces_.resize(most_faces);
+        all_.half = (0.5 * together) * l.step;
+        all_.middle = l.node(low[0], low[1], low[2]) + all_.half;
+        all_.reach = length(all_.half) + 0.5 * step_;
+        all_.along = together * step_;
+        near_ = exact.near(cell, all_.middle, all_.reach, false);
     }
 
     void find(std::vector<Vec3>& out) {
         if (near_.sweeps.empty()) return;
-        std::size_t pairs = 0;
-        for (std::size_t i = 1; i < faces_.size(); ++i)
-            for (std::size_t k = 0; k < i && pairs < most_pairs; ++k) {
-                if (dot(faces_[i].side.in, faces_[k].side.in) > blunt) continue;
-                ++pairs;
-                edge(i, k, out);
-            }
+        std::vector<std::size_t> bodies;
+        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) bodies.push_back(body);
+        left_ = most_parts;
+        find(all_, bodies, out);
     }
 
 private:
@@ -56,34 +46,109 @@ private:
         std::size_t body = 0;
         Exact::Side side;
     };
+    struct Part {
+        Vec3 middle, half;
+        double reach = 0;  ///< about the middle
+        double along = 0;  ///< how far edges are followed
+    };
 
-    void edge(std::size_t i, std::size_t k, std::vector<Vec3>& out) {
-        const std::array<std::size_t, 2> two{faces_[i].body, faces_[k].body};
-        Vec3 p = middle_;
-        if (!exact_.meet(near_, two, p) || !is_here(p) || was_tried(p)) return;
+    void find(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+        std::vector<Face> faces;
+        for (const std::size_t body : bodies) {
+            const Exact::Side side = exact_.side(near_, body, part.middle);
+            if (side.outside < -part.reach) return;  // the part lies in it
+            if (side.outside < part.reach) faces.push_back({body, side});
+        }
+        std::sort(faces.begin(), faces.end(),
+                  [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
+        const bool divides = left_ > 0 && length(part.half) > smallest_part * step_;
+        if (faces.size() > most_faces) drop_hidden(part, faces);
+        std::vector<std::array<std::size_t, 2>> pairs;
+        for (std::size_t i = 1; i < faces.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k)
+                if (dot(faces[i].side.in, faces[k].side.in) <= blunt) pairs.push_back({faces[i].body, faces[k].body});
+        if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs)) {
+            std::vector<std::size_t> some;
+            for (const Face& f : faces) some.push_back(f.body);
+            return divide(part, some, out);
+        }
+        tried_.clear();
+        if (pairs.size() > most_pairs) pairs.resize(most_pairs);
+        for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out);
+    }
+
+    void divide(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+        for (unsigned c = 0; c < 8; ++c) {
+            Part next;
+            next.half = 0.5 * part.half;
+            const Vec3& h = next.half;
+            next.middle =
+                part.middle + Vec3{(c & 1U) != 0 ? h.x : -h.x, (c & 2U) != 0 ? h.y : -h.y, (c & 4U) != 0 ? h.z : -h.z};
+            next.reach = (1 + part_margin) * length(next.half);
+            next.along = 0.5 * part.along;
+            if (left_ > 0) --left_;
+            find(next, bodies, out);
+        }
+    }
+
+    /// Without the faces that lie in other bodies all over a part: of a helix many chords' bodies are near, of which
+    /// one or two have a face there. Bodies lie behind their tangent planes, and distances from others are convex, so
+    /// corners tell.
+    void drop_hidden(const Part& part, std::vector<Face>& faces) const {
+        const Vec3 size = (1 + part_margin) * part.half;
+        std::sort(faces.begin(), faces.end(),
+                  [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
+        std::vector<Face> kept;
+        std::vector<std::array<double, 8>> over;  // how far corners lie outside of those that may hide others
+        const auto corner = [&](std::size_t c) {
+            return Vec3{(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
+                        (c & 4U) != 0 ? size.z : -size.z};
+        };
+        for (const Face& f : faces) {
+            const bool convex = f.body > 0 && exact_.parts_of(near_.sweeps[f.body - 1].shape).size() == 1;
+            const auto hides = [&](const std::array<double, 8>& o) {
+                for (std::size_t c = 0; c < 8; ++c)
+                    if (o[c] > f.side.outside + dot(f.side.in, corner(c)) + same_face * allowed_) return false;
+                return true;
+            };
+            if (convex && std::any_of(over.begin(), over.end(), hides)) continue;
+            kept.push_back(f);
+            if (!convex) continue;
+            over.emplace_back();
+            for (std::size_t c = 0; c < 8; ++c)
+                over.back()[c] = exact_.side(near_, f.body, part.middle + corner(c)).outside;
+        }
+        faces = std::move(kept);
+        std::sort(faces.begin(), faces.end(),
+                  [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
+    }
+
+    void edge(const Part& part, const std::array<std::size_t, 2>& two, std::vector<Vec3>& out) {
+        Vec3 p = part.middle;
+        if (!exact_.meet(near_, two, p) || !is_in(part, p) || was_tried(p)) return;
         const Exact::Side one = exact_.side(near_, two[0], p), other = exact_.side(near_, two[1], p);
         if (!is_edge(two, p, one.in, other.in)) return;
         if (!is_bare(p)) {
             // Another body ends the edge not far from here, or takes all of it.
-            if (over_ < step_) corner({two[0], two[1], last_}, p, out);
+            if (over_ < step_) corner(part, {two[0], two[1], last_}, p, out);
             return;
         }
         out.push_back(p);
         const Vec3 along = cross(one.in, other.in);
         const double size = length(along);
         for (const double share : {-0.6, -0.4, -0.2, 0.2, 0.4, 0.6})
-            if (Vec3 q = p + (share * steps_ * step_ / size) * along; size > 0 && exact_.meet(near_, two, q)) {
-                if (!is_here(q)) continue;
+            if (Vec3 q = p + (share * part.along / size) * along; size > 0 && exact_.meet(near_, two, q)) {
+                if (!is_in(part, q)) continue;
                 if (is_bare(q))
                     out.push_back(q);
                 else if (over_ < step_)
-                    corner({two[0], two[1], last_}, q, out);
+                    corner(part, {two[0], two[1], last_}, q, out);
             }
     }
 
-    void corner(const std::array<std::size_t, 3>& three, Vec3 p, std::vector<Vec3>& out) {
+    void corner(const Part& part, const std::array<std::size_t, 3>& three, Vec3 p, std::vector<Vec3>& out) {
         if (three[2] == three[0] || three[2] == three[1] || !exact_.meet(near_, three, p)) return;
-        if (is_here(p) && is_bare(p)) out.push_back(p);
+        if (is_in(part, p) && is_bare(p)) out.push_back(p);
     }
 
     /// Both bodies end there, none of them in the other's face: a little beside the edge each alone takes the material.
@@ -113,15 +178,17 @@ private:
         return exact_.is_on_surface(near_, p, allowed_) && !exact_.is_touch(near_, p, allowed_);
     }
 
-    [[nodiscard]] bool is_here(Vec3 p) const { return geom::distance(p, middle_) < reach_; }
+    [[nodiscard]] static bool is_in(const Part& part, Vec3 p) {
+        return geom::distance(p, part.middle) < 0.99 * part.reach;
+    }
 
     const Exact& exact_;
     Exact::Near near_;
-    double allowed_ = 0, step_ = 0, steps_ = 1, reach_ = 0;
-    Vec3 middle_;
-    std::vector<Face> faces_;
-    std::vector<Vec3> tried_;
-    std::size_t last_ = 1;  ///< the body that was found over a place last, and how far
+    double allowed_ = 0, step_ = 0;
+    Part all_;
+    std::size_t left_ = 0;     ///< parts that may still be looked at
+    std::vector<Vec3> tried_;  ///< of this part
+    std::size_t last_ = 1;     ///< the body that was found over a place last, and how far
     double over_ = 0;
 };
 
@@ -136,27 +203,39 @@ std::vector<Place> mixed_cells(const NodeBits& nodes) {
     return all;
 }
 
-std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together) {
+std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together,
+                           bool follow) {
     static_assert(Exact::block % 4 == 0);
-    exact.prepare(cells);
     struct Some {
         Place low, cell;
     };
-    std::vector<Some> groups;
     KeyMap known;
-    for (const Place& c : cells) {
+    std::vector<Some> groups;
+    const auto add = [&](const Place& c) {
         const Place low{c[0] - c[0] % together, c[1] - c[1] % together, c[2] - c[2] % together};
         const std::size_t before = known.size();
         known.add(key_of(low), 1);
         if (known.size() > before) groups.push_back({low, c});
-    }
-    std::vector<std::vector<Vec3>> found(groups.size());
-    base::in_pieces(groups.size(), 16, [&](const base::Piece& some) {
-        for (std::size_t n = some.begin(); n < some.end(); ++n)
-            CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
-    });
+    };
+    for (const Place& c : cells) add(c);
     std::vector<Vec3> all;
-    for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());
+    while (!groups.empty()) {
+        std::vector<Place> asked;
+        for (const Some& some : groups) asked.push_back(some.cell);
+        exact.prepare(asked);
+        std::vector<std::vector<Vec3>> found(groups.size());
+        base::in_pieces(groups.size(), 16, [&](const base::Piece& some) {
+            for (std::size_t n = some.begin(); n < some.end(); ++n)
+                CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
+        });
+        groups.clear();
+        for (const std::vector<Vec3>& f : found) {
+            all.insert(all.end(), f.begin(), f.end());
+            if (!follow) continue;
+            for (const Vec3& p : f)
+                if (const auto cell = cell_at(exact.lattice(), p)) add(*cell);
+        }
+    }
     return all;
 }
 
