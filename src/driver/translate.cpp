@@ -147,11 +147,18 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
 }
 
 /// No post has words for that.
-write::Note begins_anew(const Session& s) {
+void lose_beginning_anew(Session& session, Ledger& ledger) {
     write::Note note;
-    note.what = std::string(s.main->traits->repeats_program) + ", with which the program begins anew without end,";
-    note.from = {s.main->file, s.main->end, s.main->end};
-    return note;
+    note.what =
+        std::string(session.main->traits->repeats_program) + ", with which the program begins anew without end,";
+    note.from = {session.main->file, session.main->end, session.main->end};
+    base::Diagnostic d;
+    d.severity = base::Severity::error;
+    d.code = codes::not_written;
+    d.where = note.from;
+    d.text = note.what + " is not written: what is there ends behind one pass";
+    session.diagnostics.add(std::move(d));
+    static_cast<void>(ledger.add(note));
 }
 
 }  // namespace
@@ -191,7 +198,7 @@ void tell(Session& session, Translated& translated) {
     for (const Ledger::Entry& entry : translated.ledger.entries())
         if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
     add_not_understood(translated.ledger, session, translated.ending);
-    if (translated.repeats) static_cast<void>(translated.ledger.add(begins_anew(session)));
+    if (translated.repeats) lose_beginning_anew(session, translated.ledger);
 }
 
 }  // namespace obrys::driver
