@@ -32,7 +32,8 @@ enum class Aspect : std::uint8_t {
 };
 inline constexpr std::size_t aspect_count = static_cast<std::size_t>(Aspect::count);
 [[nodiscard]] std::string_view name_of(Aspect a);
-/// Motion to events: what the machine does. The others say how the program says it.
+/// Motion to events: what the machine does. The others say how the program says it; where both are of one control, how
+/// far it may leave the contour and how it joins moves is what it does, too (Difference::is_done).
 [[nodiscard]] constexpr bool is_done(Aspect a) { return a <= Aspect::events; }
 /// It holds while the tool moves, and is compared move by move.
 [[nodiscard]] constexpr bool holds(Aspect a) {
@@ -42,6 +43,7 @@ inline constexpr std::size_t aspect_count = static_cast<std::size_t>(Aspect::cou
 /// The first place where two streams differ in an aspect.
 struct Difference {
     Aspect aspect = Aspect::motion;
+    bool is_done = true;                   ///< the machine does something else
     std::string what;                      ///< "feed 200 mm/min, in B 150 mm/min"
     std::size_t move = 0;                  ///< of A
     std::size_t move_b = 0;                ///< of B, where the motion differs

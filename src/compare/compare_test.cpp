@@ -54,6 +54,47 @@ TEST(Compare, LengthsThatCountAtAHeightAreSeenThere) {
     EXPECT_EQ(differences(with({1, 0, geom::Vec3{0, 0, 40}}), with({1, 0, geom::Vec3{0, 0, 40}})), "");
 }
 
+/// Exact stop beside a contour that may be left by 1 mm: of two controls that is said in their own ways.
+TEST(Compare, HowMovesAreJoinedCountsOnOneControl) {
+    const auto done = [](const Tolerance& tolerance) {
+        const Result r = compared(steps_of({"path exact", "feed 100 mm/min", "linear 1 2 3"}),
+                                  steps_of({"path within tolerance 1", "feed 100 mm/min", "linear 1 2 3"}), tolerance);
+        const Difference* d = r.of(Aspect::tolerance);
+        return d == nullptr ? std::string("none") : std::string(d->is_done ? "done" : "said");
+    };
+    EXPECT_EQ(done({.same_control = true}), "done");
+    EXPECT_EQ(done({}), "said");
+}
+
+/// A pitch adds up with every turn: a coarse tolerance of places says nothing of it.
+TEST(Compare, PitchesAreHeldToTheirWords) {
+    const auto tapped = [](const std::string& pitch) {
+        return steps_of({"spindle 500 1/min cw limit 0", "thread 0 0 -10 pitch " + pitch + " tap"});
+    };
+    EXPECT_TRUE(compared(tapped("1"), tapped("1.00005"), {.length = 0.1}).is_equal(Aspect::motion));
+    EXPECT_FALSE(compared(tapped("1"), tapped("1.01"), {.length = 0.1}).is_equal(Aspect::motion));
+}
+
+/// No zero is right for several tools whose lengths do not count.
+TEST(Compare, SeveralToolsWithoutTheirLengthsAreAnotherProgram) {
+    const auto drilled = [](const std::string& tool, const std::string& more) {
+        return std::vector<std::string>{tool + more, "feed 100 mm/min", "rapid 0 0 50", "linear 0 0 -1",
+                                        "rapid 0 0 50"};
+    };
+    const auto joined = [](std::vector<std::string> a, const std::vector<std::string>& b) {
+        a.insert(a.end(), b.begin(), b.end());
+        return steps_of(a);
+    };
+    const std::string one = "tool 1 edge 1 \"\"", two = "tool 2 edge 1 \"\"", with = " lengthened";
+    const Steps a = joined(drilled(one, with), drilled(two, with)), b = joined(drilled(one, ""), drilled(two, ""));
+    const Difference* d = nullptr;
+    const Result several = compared(a, b), single = compared(steps_of(drilled(one, with)), steps_of(drilled(one, "")));
+    ASSERT_NE(d = several.of(Aspect::tool), nullptr);
+    EXPECT_TRUE(d->is_done);
+    EXPECT_EQ(single.of(Aspect::tool), nullptr) << "its zero may lie by its length deeper";
+    EXPECT_NE(single.of(Aspect::datum), nullptr);
+}
+
 TEST(Compare, TheSameNumbersWithAnotherLengthAreAMove) {
     const std::vector<cl::Step> moves{line(10), cl::ToolLength{1, 2, {}}, line(10), line(20)};
     EXPECT_EQ(differences(moves, {line(10), cl::ToolLength{1, 2, {}}, line(20)}), "motion");

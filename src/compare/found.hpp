@@ -23,7 +23,7 @@ public:
     template <class T>
     void add(Aspect aspect, const T* a, const T* b, std::size_t move, std::string what) {
         if (has(aspect)) return;
-        Difference d{aspect, std::move(what), move, 0, {}, {}, 0, 0};
+        Difference d{aspect, is_done(aspect), std::move(what), move, 0, {}, {}, 0, 0};
         if (a != nullptr) d.in_a = a->from, d.stack_a = a->stack;
         if (b != nullptr) d.in_b = b->from, d.stack_b = b->stack;
         all.push_back(std::move(d));

@@ -20,6 +20,8 @@ inline geom::Vec3 in_plane(const geom::Vec3& v, const geom::Vec3& normal) {
 /// Compares values by what they are.
 class Likeness {
 public:
+    /// mm: a pitch adds up with every turn, and is no place that may lie beside another.
+    static constexpr double pitch_words = 1e-4;
     explicit Likeness(const Tolerance& t) : t_(t) { t_.on_arcs = std::max(t.on_arcs, t.length); }
 
     [[nodiscard]] bool share(double a, double b) const { return near(a, b, t_.share * std::max(1.0, std::abs(a))); }
@@ -71,8 +73,8 @@ public:
                near(a.k2, b.k2, t) && near(a.k3, b.k3, t);
     }
     [[nodiscard]] bool operator()(const cl::Thread& a, const cl::Thread& b) const {
-        return place(a.to, b.to) && near(a.pitch, b.pitch, t_.length) && a.rigid_tap == b.rigid_tap &&
-               near(a.start, b.start, t_.angle) && near(a.change, b.change, t_.length);
+        return place(a.to, b.to) && near(a.pitch, b.pitch, std::min(t_.length, pitch_words)) &&
+               a.rigid_tap == b.rigid_tap && near(a.start, b.start, t_.angle) && near(a.change, b.change, t_.length);
     }
     [[nodiscard]] bool operator()(const cl::Axis& a, const cl::Axis& b) const {
         return a.name == b.name && near(a.to, b.to, a.rotary ? t_.angle : t_.length) && a.rotary == b.rotary &&

@@ -66,6 +66,8 @@ void Path::hold() {
     if (to_holder_) now.tool.edge = 0, now.length = 0, now.length_by.reset();
     Holding marked = with_marks(now);
     if (marked == marked_) return;
+    const bool another = now.tool.number != holding_->tool.number || now.tool.name != holding_->tool.name;
+    has_several_tools = has_several_tools || (another && moves.size() > 0 && holding_->tool != cl::ToolChange{});
     marked_ = std::move(marked);
     holding_ = std::make_shared<const Holding>(std::move(now));
 }

@@ -61,6 +61,7 @@ public:
 
     Kept<Move> moves;                     ///< the last may go on while records come
     bool compensates_length = false;      ///< anywhere
+    bool has_several_tools = false;       ///< that move
     Kept<Item> events, cycles, contours;  ///< as moves
 
 private:

@@ -188,12 +188,15 @@ Result Walk::finish() {
     if (lone_at_) out.looked_to = differs_at_.value_or(*lone_at_);
     if (lone_at_) all.add(lone_);
     // A program of another control that compensates no length at all counts from other zeros, but where it was to do
-    // the same.
+    // the same, and where it has several tools: no zero is right for all of them.
     const bool in_a = sides[0].path().compensates_length, in_b = sides[1].path().compensates_length;
-    const bool both = like.same_control() || (in_a && (in_b || like.is_written_from_a()));
+    const bool both =
+        like.same_control() || (in_a && (in_b || like.is_written_from_a() || sides[1].path().has_several_tools));
     Found sorted;
     for (Difference d : all.all) {
-        if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum;
+        if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum, d.is_done = is_done(d.aspect);
+        // The words for it are other ones on every control, and each begins with another one.
+        if (d.aspect == Aspect::tolerance) d.is_done = like.same_control();
         if (!sorted.has(d.aspect)) sorted.all.push_back(std::move(d));
     }
     for (const Found& found : between_) sorted.add(found);

@@ -21,14 +21,17 @@ public:
     /// False behind the last.
     bool step() {
         if (run_ ? run_->step() : text_->step(sink_)) return true;
-        if (run_) static_cast<void>(run_->finish());
+        if (run_) repeats_ = run_->finish().repeats;
         return false;
     }
+    /// The program begins anew then, without end.
+    [[nodiscard]] bool repeats() const { return repeats_; }
 
 private:
     std::function<void(const cl::Record&)> sink_;
     std::optional<Interpretation> run_;
     std::optional<cl::TextReader> text_;
+    bool repeats_ = false;
 };
 
 /// `step_a` and `step_b` give a few records of theirs to the comparison; false behind the last.
@@ -44,6 +47,16 @@ compare::Result compare_steps(compare::Comparison& comparison, const StepA& step
         comparison.advance();
     }
     return comparison.finish();
+}
+
+/// One of two that make the same moves begins anew behind them.
+compare::Difference begins_anew(bool a_does, std::string_view word, const compare::Result& moves) {
+    const std::string anew = "begins anew without end (" + std::string(word) + ")";
+    compare::Difference d;
+    d.aspect = compare::Aspect::events;
+    d.what = a_does ? "it " + anew + "; the other ends" : "it ends; the other " + anew;
+    d.move = moves.moves_a;
+    return d;
 }
 
 }  // namespace
@@ -84,8 +97,11 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
     compare::Comparison comparison(tolerance);
     Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
     Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
-    return compare_steps(
+    compare::Result out = compare_steps(
         comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
+    if (in_a.repeats() != in_b.repeats() && out.of(compare::Aspect::events) == nullptr)
+        out.first.push_back(begins_anew(in_a.repeats(), (in_a.repeats() ? a : b).main->traits->repeats_program, out));
+    return out;
 }
 
 compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance) {

@@ -75,4 +75,14 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
     }
 }
 
+void say_that_nothing_moves(base::Diagnostics& diagnostics, const program::Unit* main) {
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::not_run;
+    if (main != nullptr) d.where = {main->file, main->begin, main->begin};
+    d.text = "nothing moves: what is set here for a program that calls it is not compared";
+    d.remedy = "take the program that calls it";
+    diagnostics.add(std::move(d));
+}
+
 }  // namespace obrys::driver

@@ -24,4 +24,8 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
 [[nodiscard]] bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
                                            const std::vector<const program::Unit*>& entered, const program::Unit& main);
 
+/// A program without a move, translated or compared: what it leaves in force for the one that calls it is not looked
+/// at.
+void say_that_nothing_moves(base::Diagnostics& diagnostics, const program::Unit* main);
+
 }  // namespace obrys::driver

@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
+#include "driver/not_run.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
 #include "write/lesser.hpp"
@@ -19,7 +20,7 @@ namespace {
 /// What the written program does otherwise, at the place of the program that it comes from.
 void complain_of(Session& s, const compare::Result& result, const Session& run) {
     for (const compare::Difference& difference : result.first) {
-        const bool done = compare::is_done(difference.aspect);
+        const bool done = difference.is_done;
         // A cycle that stands in the place of another, as the ledger says: it would be told in two controls' words.
         if (difference.aspect == compare::Aspect::cycles && difference.in_a && difference.in_b) continue;
         base::Diagnostic d;
@@ -37,7 +38,7 @@ void complain_of(Session& s, const compare::Result& result, const Session& run) 
 
 bool runs_otherwise(const compare::Result& result) {
     return std::any_of(result.first.begin(), result.first.end(),
-                       [](const compare::Difference& d) { return compare::is_done(d.aspect); });
+                       [](const compare::Difference& d) { return d.is_done; });
 }
 
 /// In what the numbers of words say.
@@ -133,7 +134,8 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
-    out.proof = unknown ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
+    const bool stays = out.compared.moves_a == 0 && out.moves == 0;
+    out.proof = unknown || stays ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
     return out;
 }
 
@@ -144,7 +146,7 @@ namespace {
 std::optional<std::size_t> differs_at(const Proved& proved) {
     std::optional<std::size_t> out;
     for (const compare::Difference& d : proved.compared.first)
-        if (compare::is_done(d.aspect) && (!out || d.move < *out)) out = d.move;
+        if (d.is_done && (!out || d.move < *out)) out = d.move;
     return out;
 }
 
@@ -251,6 +253,9 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     tell(session, best.settled.translated);
     if (best.settled.proved.run != nullptr)
         complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
+    if (best.settled.proved.run != nullptr && best.settled.proved.compared.moves_a == 0 &&
+        best.settled.proved.moves == 0)
+        say_that_nothing_moves(session.diagnostics, session.main);
     return std::move(best.settled);
 }
 

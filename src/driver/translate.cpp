@@ -86,7 +86,7 @@ Translated translate_to_canon(Session& session) {
     const interp::Outcome outcome =
         print_canon(session, write, false, [&](const cl::Record& record) { does.take(record); });
     out.does = std::make_shared<const cl::Recording>(std::move(does));
-    out.ending = outcome.ending;
+    out.ending = outcome.ending, out.repeats = outcome.repeats;
     return out;
 }
 
@@ -146,6 +146,21 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
     note_characters(out, post);
 }
 
+/// No post has words for that.
+void lose_beginning_anew(Session& session, Ledger& ledger) {
+    write::Note note;
+    note.what =
+        std::string(session.main->traits->repeats_program) + ", with which the program begins anew without end,";
+    note.from = {session.main->file, session.main->end, session.main->end};
+    base::Diagnostic d;
+    d.severity = base::Severity::error;
+    d.code = codes::not_written;
+    d.where = note.from;
+    d.text = note.what + " is not written: what is there ends behind one pass";
+    session.diagnostics.add(std::move(d));
+    static_cast<void>(ledger.add(note));
+}
+
 }  // namespace
 
 Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options) {
@@ -160,7 +175,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
             if (!post.staircase) keep(record);
             sink(record);
         });
-        out.ending = outcome.ending;
+        out.ending = outcome.ending, out.repeats = outcome.repeats;
     };
     write_stream(out, post, options, stream, post.staircase ? std::function<void(const cl::Record&)>(keep) : nullptr);
     out.does = std::make_shared<const cl::Recording>(std::move(does));
@@ -169,7 +184,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
 
 Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options) {
     Translated out;
-    out.ending = first.ending;
+    out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
     write_stream(out, post, options, [&](cl::Sink sink) {
         cl::Recording::Playback stream(*out.does);
@@ -183,6 +198,7 @@ void tell(Session& session, Translated& translated) {
     for (const Ledger::Entry& entry : translated.ledger.entries())
         if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
     add_not_understood(translated.ledger, session, translated.ending);
+    if (translated.repeats) lose_beginning_anew(session, translated.ledger);
 }
 
 }  // namespace obrys::driver

@@ -46,6 +46,7 @@ struct Translated {
     std::string stairs{};                       ///< what has become of slopes and arcs, for people; empty: nothing
     std::vector<UsedForm> forms{};              ///< of cycles, where another one than before is used
     interp::Ending ending = interp::Ending::regular;  ///< of the program
+    bool repeats = false;                             ///< it begins anew, without end
 };
 
 struct TranslateOptions {

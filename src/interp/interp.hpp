@@ -91,6 +91,7 @@ struct Outcome {
     std::set<std::string> replaced;             ///< names of which Environment::overrides replaced a constant
     std::uint64_t statements = 0;               ///< gone through, those that were looked at ahead as well
     std::vector<CarriedCompensation> carried = {};
+    bool repeats = false;  ///< the main program begins anew, without end (M99): one pass of it was run
 };
 
 }  // namespace obrys::interp

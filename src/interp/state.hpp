@@ -81,6 +81,7 @@ struct Saying : Around, CallState {
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
+    bool repeats = false;     ///< the main program would begin anew: one pass of it is run
     bool complained = false;  ///< something of the block is said not to be understood or run
     Look look = Look::no;
     /// Set while blocks are only looked at: what is complained about goes there (complaints.hpp).

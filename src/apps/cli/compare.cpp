@@ -10,8 +10,9 @@
 #include "commands.hpp"
 #include "compare_output.hpp"
 #include "driver/compare_programs.hpp"
-#include "driver/keep.hpp"
 #include "driver/documents/plot_difference.hpp"
+#include "driver/keep.hpp"
+#include "driver/not_run.hpp"
 #include "milled.hpp"
 #include "session.hpp"
 
@@ -81,7 +82,7 @@ bool deliver_picture(const Arguments& a, const Compared& c, const driver::Compar
 bool does_the_same(const Compared& c) {
     return c.stock.verdict != driver::StockComparison::Verdict::differs &&
            std::none_of(c.moves.first.begin(), c.moves.first.end(),
-                        [](const compare::Difference& d) { return compare::is_done(d.aspect); });
+                        [](const compare::Difference& d) { return d.is_done; });
 }
 
 /// What the exit code says; what is said otherwise (zeros, cycles) makes no difference to the machine.
@@ -104,6 +105,9 @@ int compare(const Arguments& arguments) {
     compare::Tolerance tolerance;
     tolerance.length = arguments.same_place;
     Compared c{a.session, b.session, driver::compare_sessions(a.session, b.session, tolerance), {}};
+    for (Side* side : {&a, &b})
+        if (c.moves.moves_a == 0 && c.moves.moves_b == 0)
+            driver::say_that_nothing_moves(side->session.diagnostics, side->session.main);
     for (const Side* side : {&a, &b}) print_diagnostics(side->session, base::Severity::warning);
     const int code_a = driver::exit_code_of_run(a.session), code_b = driver::exit_code_of_run(b.session);
     if (code_a == 2 || code_b == 2) return 2;

@@ -24,9 +24,8 @@ std::string of_aspect(const Compared& c, compare::Aspect aspect) {
     if (d == nullptr && r.is_equal(aspect)) return "equal";
     if (d == nullptr) return "equal up to move " + std::to_string(*r.looked_to) + ", not compared behind it";
     const std::string at_a = place(c.a, d->in_a), at_b = place(c.b, d->in_b);
-    return (compare::is_done(aspect) ? "differs first at move " : "said otherwise first at move ") +
-           std::to_string(d->move) + (at_a.empty() ? "" : ", " + at_a) + (at_b.empty() ? "" : ", " + at_b) + ": " +
-           d->what;
+    return (d->is_done ? "differs first at move " : "said otherwise first at move ") + std::to_string(d->move) +
+           (at_a.empty() ? "" : ", " + at_a) + (at_b.empty() ? "" : ", " + at_b) + ": " + d->what;
 }
 
 std::string millimetres(double v) { return base::fixed(v, 3); }

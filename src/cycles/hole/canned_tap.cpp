@@ -10,10 +10,11 @@
 ///                        dwell_top, spindle stop and reversal, rest of the way. LinuxCNC: feed_out 1, dwell 0 or P.
 ///                        rpm_factor for the way out: spindle and feed (Acramatic J).
 ///   canned_tap_rigid     pitch in mm (not written: feed by speed); dwell_bottom; rpm_factor for the way out. With
-///                        infeed in steps, from the surface, where it is written: chip_break_distance above 0 that
+///                        infeed in steps, from the surface, where it is not 0: chip_break_distance above 0 that
 ///                        far back after each, or chip_break_turns of the thread, else out to the retract plane and
-///                        down to stop_distance_first above the depth reached. dwell: before each reversal. Where
-///                        no spindle_direction is written it turns behind the cycle as before.
+///                        down to stop_distance_first above the depth reached; none of these: a parameter, 1 mm. dwell:
+///                        before each reversal. Where no spindle_direction is written it turns behind the cycle as
+///                        before.
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +104,12 @@ Rigid read_rigid(Course& c, const Demand& demand, const Situation& s) {
     if (top > r.hole.retract || top < r.hole.bottom)
         c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
     r.restarts = s.spindle_direction != 0 && !demand.find(Role::spindle_direction);
-    if (demand.find(Role::infeed)) {
-        r.back = c.maybe_at_least(Role::chip_break_distance, 0, 0);
+    if (demand.get(Role::infeed, 0) != 0) {
+        const bool said = demand.find(Role::chip_break_distance) || demand.find(Role::chip_break_turns) ||
+                          demand.find(Role::stop_distance_first);
+        if (!said)
+            c.assume("how far a tap goes back between its steps is a parameter of the machine: it is taken as 1 mm");
+        r.back = c.maybe_at_least(Role::chip_break_distance, 0, said ? 0 : 1);
         if (demand.find(Role::chip_break_turns)) r.back = c.positive(Role::chip_break_turns) * std::abs(r.pitch);
         r.stop = c.maybe_at_least(Role::stop_distance_first, 0, 0);
         const Infeeds infeeds = read_infeeds(c, false);

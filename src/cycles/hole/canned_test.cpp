@@ -121,6 +121,10 @@ TEST(canned, RigidTap) {
             s),
         "R u11 v22 R w2 S1000 T1.25 w-7 D1 S-1000 T1.25 w-4.5 S1000 T1.25 w-10 D1 S-1000 T1.25 w2 S0 S1000 R")
         << "without a direction of its own the spindle goes on as before";
+    EXPECT_EQ(run(Kind::canned_tap_rigid, with(tap, {{Role::infeed, 7}}), s),
+              "R u11 v22 R w2 S1000 T1.25 w-5 S-1000 T1.25 w-4 S1000 T1.25 w-10 S-1000 T1.25 w2 S0 R w20")
+        << "how far it goes back is the machine's";
+    EXPECT_EQ(run(Kind::canned_tap_rigid, with(tap, {{Role::infeed, 0}}), s), run(Kind::canned_tap_rigid, tap, s));
     s.feed = unknown;
     EXPECT_FALSE(expand_hole({Kind::canned_tap_rigid, tap}, s).ok());
 }

@@ -20,15 +20,16 @@ using program::Code;
 constexpr CannedWord dwell{Code::p, CycleRole::dwell_bottom, false, 1};
 constexpr CannedWord infeed{Code::q, CycleRole::infeed, true, 1};
 
-/// Words that a cycle itself does not look at: they hold for the next one of the series (Traits::canned_words_stay). Q
-/// of a tap says in which steps it goes down (bit PCP of parameter 5200), J of Haas how fast it comes back: the hole is
-/// the same.
+/// Words that a cycle itself does not look at: they hold for the next one of the series (Traits::canned_words_stay). J
+/// of Haas says how fast a tap comes back: the hole is the same.
 constexpr CannedWord kept_p{Code::p, CycleRole::kept, false, 1};
 constexpr CannedWord kept_q{Code::q, CycleRole::kept, true, 1};
 constexpr CannedWord kept_j{Code::j, CycleRole::kept, false, 1};
 
 constexpr std::array plain{kept_p, kept_q};
 constexpr std::array dwells{dwell, kept_q};
+/// Q of a rigid tap: with bit PCP of parameter 5200 at 0 it goes back by parameter 5213 after each step.
+constexpr std::array rigid{infeed, dwell};
 constexpr std::array haas_taps{dwell, kept_q, kept_j};
 constexpr std::array pecks{infeed, dwell};
 constexpr std::array shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell};
@@ -71,8 +72,8 @@ constexpr std::array mill{
     CannedCycle{870, CycleKind::canned_back_bore, "G87", back, unshifted},
     CannedCycle{880, CycleKind::canned_bore_manual, "G88", dwells, by_hand},
     CannedCycle{890, CycleKind::canned_bore_feed, "G89", dwells, {}},
-    CannedCycle{740, CycleKind::canned_tap_rigid, "G74", dwells, left},
-    CannedCycle{840, CycleKind::canned_tap_rigid, "G84", dwells, right},
+    CannedCycle{740, CycleKind::canned_tap_rigid, "G74", rigid, left},
+    CannedCycle{840, CycleKind::canned_tap_rigid, "G84", rigid, right},
 };
 /// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
 constexpr std::array haas{

@@ -194,7 +194,7 @@ void read_sample(const write::Post& post, const Around& a, const std::vector<cl:
     for (const compare::Difference& d : compare::compare(wanted, read, tolerance).first) {
         if (std::find(a.differ.begin(), a.differ.end(), d.aspect) != a.differ.end()) continue;
         if (folded && !moves_known && d.aspect != compare::Aspect::cycles) continue;
-        if (compare::is_done(d.aspect) || folded)
+        if (d.is_done || folded)
             t.read = ReadBack::differs;
         else if (t.read == ReadBack::same)
             t.read = ReadBack::said;

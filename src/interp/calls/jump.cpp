@@ -46,6 +46,7 @@ void end_of_pass(Calling& run, const program::Jump& j) {
     flush_path(run);
     tell_end(run, 2);
     emit(run, cl::Stop{cl::StopKind::end});
+    run.repeats = true;
     run.stopped = true;
 }
 

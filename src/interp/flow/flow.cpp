@@ -24,6 +24,12 @@ std::string return_word(const Reckoning& run, const Statement& s) {
     return word.starts_with('O') ? "return" : word;
 }
 
+/// The main program would begin anew: one pass of it has been run.
+bool return_repeats(const Reckoning& run, const Statement& s) {
+    return run.calls.size() == 1 && !run.traits->repeats_program.empty() &&
+           return_word(run, s) == run.traits->repeats_program;
+}
+
 /// Kinds that are run elsewhere and have no entry in a table; false where `s` is none of them.
 bool run_plain(Cycling& run, const Statement& s, std::uint32_t index) {
     switch (s.kind) {
@@ -34,7 +40,11 @@ bool run_plain(Cycling& run, const Statement& s, std::uint32_t index) {
             const auto to = static_cast<std::size_t>(run.unit().words[s.first].payload);
             // Often the same one comes again: the program's text is not asked then.
             if (!run.ends_told.contains({run.top().unit, run.top().pc})) say_blocks_behind(run, return_word(run, s));
-            if (to == 0) return leave(run), true;
+            if (to == 0) {
+                leave(run);
+                run.repeats = run.stopped && run.ending == Ending::regular && return_repeats(run, s);
+                return true;
+            }
             return return_to_block(run, run.unit().jumps[to - 1]), true;
         }
         case StatementKind::label_end: end_label(run); return true;

@@ -46,6 +46,7 @@ Outcome Machine::finish() {
     Outcome outcome{run.ending, run.blocks, {}, {run.entered.begin(), run.entered.end()}, std::move(run.overrides_met),
                     run.steps};
     outcome.carried = std::move(run.carried);
+    outcome.repeats = run.repeats;
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main_.traits, n), run.parameters.get(n)});

@@ -70,6 +70,10 @@ bool lies_on(const Circle& c, const Vec3& p, double radius) {
 }  // namespace
 
 void read_circle(State& s, const Arguments& a) {
+    if (s.cycle)
+        return refuse(s,
+                      "an arc while a hole cycle is in force (there is no CYCLE/OFF before it): whether its points are "
+                      "holes is not known");
     const std::vector<double> n = leading_numbers(a);
     if (n.size() < 6)
         return fail(s, a.begin(),

@@ -57,6 +57,14 @@ TEST(AptCycle, WhatIsMissingOrUnknownIsSaid) {
     EXPECT_NE(problem("CYCLE/BORE,FEDTO,3,RAPTO,1,STEP,1").find("steps of this cycle"), std::string::npos);
 }
 
+/// A real file of SolidWorks CAM has no CYCLE/OFF before the next tool mills circles.
+TEST(AptCycle, AnArcAmongHolesIsNotRun) {
+    const std::string drill = "UNITS/MM\nCYCLE/DRILL,FEDTO,9,MMPM,100,RAPTO,3\nGOTO/0,0,0\n";
+    const std::string circle = "GOTO/5,0,0\nCIRCLE/0,0,0,0,0,1\nGOTO/5,0,0\n";
+    EXPECT_NE(Reading(drill + circle).problems().find("an arc while a hole cycle is in force"), std::string::npos);
+    EXPECT_EQ(Reading(drill + "CYCLE/OFF\nFEDRAT/100,MMPM\n" + circle).problems(), "");
+}
+
 TEST(AptCycle, TheFeedOfThePathComesBackBehindIt) {
     const Reading r(
         "UNITS/MM\nFEDRAT/500,MMPM\nGOTO/0,0,9\nCYCLE/DRILL,FEDTO,3,MMPM,100,RAPTO,1\nGOTO/0,0,0\nCYCLE/OFF\nGOTO/"
