@@ -227,7 +227,8 @@ bool makes_no_difference(const cl::Step& a, const cl::Step& b) {
     const auto* side = std::get_if<cl::CompensationBegin>(&a);
     if (side != nullptr && std::holds_alternative<cl::CompensationBegin>(b)) {  // the radius says what it holds
         cl::CompensationBegin other = std::get<cl::CompensationBegin>(b);
-        other.offset = side->offset;
+        const bool unknown = !side->given && !(std::abs(side->radius) > 0) && side->offset != 0 && other.offset != 0;
+        if (!unknown || other.given) other.offset = side->offset;
         return other == *side;
     }
     const auto* length = std::get_if<cl::ToolLength>(&a);

@@ -29,6 +29,19 @@ TEST(Compare, EachAspectIsSeen) {
               "frame");
 }
 
+TEST(Compare, OffsetsCountWhereTheirRadiiAreNotKnown) {
+    const auto by = [](std::uint32_t offset, double radius) {
+        cl::CompensationBegin begin;
+        begin.offset = offset, begin.radius = radius;
+        return std::vector<cl::Step>{line(10), begin, line(20), cl::CompensationEnd{}};
+    };
+    EXPECT_EQ(differences(by(11, 0), by(12, 0)), "compensation");
+    EXPECT_EQ(differences(by(11, NAN), by(12, NAN)), "compensation");
+    EXPECT_EQ(differences(by(11, 0), by(11, 0)), "");
+    EXPECT_EQ(differences(by(11, 5), by(12, 5)), "");  // the radius says what it holds
+    EXPECT_EQ(differences(by(11, 0), by(0, 0)), "");   // that of the tool, on a control without numbers
+}
+
 TEST(Compare, AnEventStandsBetweenTheSameMoves) {
     EXPECT_EQ(differences({line(10), cl::Stop{}, line(20)}, {line(10), line(20), cl::Stop{}}), "events");
 }

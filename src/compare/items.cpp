@@ -16,6 +16,17 @@ bool ends_quietly(const Item& item) {
     return item.holding->spindle.direction == 0 && item.holding->coolant == cl::Coolant{};
 }
 
+std::string difference_of(const cl::Step& a, const cl::Step& b) {
+    const auto* begin = std::get_if<cl::CompensationBegin>(&a);
+    const auto* other = std::get_if<cl::CompensationBegin>(&b);
+    if (begin != nullptr && other != nullptr && begin->side == other->side &&
+        Likeness::are_of_unknown_offsets(*begin, *other))
+        return "radius compensation by offset " + std::to_string(begin->offset) + ", in the other by offset " +
+               std::to_string(other->offset) +
+               ": neither radius is known, so that nobody knows whether the tool goes the same way";
+    return words(a) + "; in the other " + words(b);
+}
+
 }  // namespace
 
 void ItemPairs::place(std::size_t side, std::size_t moves, std::size_t settled, std::size_t piece) {
@@ -65,7 +76,7 @@ void ItemPairs::add_lone(std::size_t side, Found& found) {
 void ItemPairs::compare_pair(const Likeness& like, Found& found) {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
     over_ = !like.steps(a.step, b.step);
-    if (over_) return found.add(aspect_, &a, &b, a.moves, words(a.step) + "; in the other " + words(b.step));
+    if (over_) return found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
     if (aspect_ != Aspect::events) return;
     compare_state(like, found);
     over_ = sides_[0].at.front() != sides_[1].at.front();

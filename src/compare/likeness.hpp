@@ -151,7 +151,15 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::CompensationBegin& a, const cl::CompensationBegin& b) const {
         return a.side == b.side && near(a.radius, b.radius, t_.length) && a.approach == b.approach &&
-               a.sharp == b.sharp && direction(a.normal, b.normal);
+               a.sharp == b.sharp && direction(a.normal, b.normal) && !are_of_unknown_offsets(a, b);
+    }
+    /// Radii that nobody knows, of offsets with other numbers (D11, D12). The number does not count where the radius is
+    /// known, nor 0, by which some controls call what others number as the tool.
+    [[nodiscard]] static bool are_of_unknown_offsets(const cl::CompensationBegin& a, const cl::CompensationBegin& b) {
+        const auto unknown = [](const cl::CompensationBegin& c) {
+            return !c.given && c.offset != 0 && !(std::abs(c.radius) > 0);
+        };
+        return unknown(a) && unknown(b) && a.offset != b.offset;
     }
     [[nodiscard]] bool operator()(const cl::Programmed& a, const cl::Programmed& b) const {
         const double radius = a.sweep == 0 ? 1 : geom::distance(a.from, a.centre);

@@ -199,7 +199,7 @@ write::Post by_tool_path(write::Post post) {
         for (auto c = static_cast<std::size_t>(first); c <= static_cast<std::size_t>(last); ++c)
             post.commands[c].clear();
     };
-    clear(Command::compensation_left, Command::compensation_off);
+    clear(Command::compensation_left, Command::compensation_off_alone);
     clear(Command::onto_tangent_line, Command::off_arc_and_line);
     return post;
 }

@@ -96,12 +96,12 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::compensation_off: compensation_ = m; return;
         case Modal::datum: datum_ = program::modal_number(word); return;
         case Modal::tool_length: length_ = true; return;
+        case Modal::tool_length_off: length_off_ = true; return;
         case Modal::program_stop: m_.push_back(0); return;
         case Modal::diameter_on:
         case Modal::diameter_off:
         case Modal::metric_geometry:
         case Modal::metric_all:
-        case Modal::tool_length_off:
         case Modal::canned_off:
         case Modal::position_reset:
         case Modal::arc_centre_incremental:
@@ -206,7 +206,10 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
         case Code::cycle_call: call_cycle_ = true; return;
         case Code::p: dwell_time_ = v; return;
         case Code::offset_h: offset_ = v; return;
-        case Code::offset_d: return;  // of the tool's own radius: with G41 the text says it again
+        case Code::offset_d:
+            radius_offset_ = v;
+            if (v.number) w_.radius_offset = base::clipped<int>(*v.number, 0, 999'999);
+            return;
         case Code::m:
             if (const auto n = v.number ? base::whole<int>(*v.number, 0, 999) : std::nullopt) return m_.push_back(*n);
             break;

@@ -33,6 +33,12 @@ private:
 
     void modes();
     void tool();
+    [[nodiscard]] bool tool_brings_length() const;
+    [[nodiscard]] bool says_lengths() const;
+    void length_on(int offset);
+    void length_of_tool();
+    void lengths();
+    std::optional<int> radius_offset();
     void feed_mode();
     void spindle();
     bool function_before(int m);
@@ -59,13 +65,13 @@ private:
     std::optional<program::Modal> motion_, plane_, distance_, feed_mode_, surface_, compensation_;
     std::optional<program::Modal> frame_;  ///< G52, G68, G69: the whole block is theirs
     std::optional<int> datum_;
-    bool dwell_ = false, length_ = false, change_ = false, joined_offset_ = false;
+    bool dwell_ = false, length_ = false, length_off_ = false, change_ = false, joined_offset_ = false;
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
     bool centre_counts_on_ = true;                      ///< from the arc's start; else it has coordinates
     bool is_pole_ = false, about_pole_ = false, same_sense_ = false;
     std::optional<std::pair<std::string_view, Text>> corner_;  ///< chamfer or rounding: what it is
-    std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_;
+    std::optional<Text> radius_, feed_, speed_, limit_, tool_, edge_, dwell_time_, offset_, radius_offset_;
     bool call_cycle_ = false;
     std::vector<int> m_;
 };

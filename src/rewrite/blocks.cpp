@@ -114,6 +114,7 @@ void BlockWords::tool() {
            "a tool");
     if (w_.language.has("words.tool-has-speed")) speed_.reset();
     w_.tool_in_spindle = number;
+    length_of_tool();
 }
 
 void BlockWords::spindle() {
@@ -167,11 +168,6 @@ void BlockWords::modes() {
                     "and Y alone");
     }
     if (datum_) zero(*datum_);
-    if (length_ && w_.language.has("words.length-on")) {
-        if (!offset_ || !offset_->number || w_.tool_in_spindle != base::clipped<int>(*offset_->number, 0, 999'999))
-            return w_.refuse(w_.here,
-                             "the length of another tool than the one in the spindle is not translated by structure");
-    }
 }
 
 std::string BlockWords::axes_text() {
@@ -203,18 +199,6 @@ std::optional<Modal> BlockWords::motion_here() {
         return std::nullopt;
     }
     return static_cast<Modal>(held);
-}
-
-/// Nothing after a complaint.
-std::optional<std::string> BlockWords::compensation_text() {
-    if (!compensation_) return "";
-    const std::string_view key = *compensation_ == Modal::compensation_left    ? "words.comp-left"
-                                 : *compensation_ == Modal::compensation_right ? "words.comp-right"
-                                                                               : "words.comp-off";
-    if (const std::string* text = w_.language.find(key))
-        return filled(*text, {{"tool", std::to_string(w_.tool_in_spindle)}});
-    w_.refuse(w_.here, "radius compensation is not translated by structure to this control");
-    return std::nullopt;
 }
 
 /// What of an arc has no counterpart.
@@ -325,6 +309,7 @@ void BlockWords::write() {
     }
     modes();
     tool();
+    lengths();
     feed_mode();
     spindle();
     std::vector<int> behind;

@@ -41,7 +41,7 @@ constexpr std::array known_tables{
         "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
         "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
         "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-        "comp-off-alone dwell datum length-on speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
+        "comp-off-alone dwell datum length-on length-off speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
         "arc-absolute-cw arc-absolute-ccw"},
     KnownTable{"frames", "shift shift-axis turn turn-off mirror mirror-off scale scale-off off"},
     KnownTable{"system",

@@ -163,6 +163,7 @@ public:
     std::map<int, std::pair<Text, Text>> poles;        ///< by their places
     std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
     int tool_in_spindle = 0;                           ///< as the text says it last; 0: none
+    int radius_offset = -1;                            ///< D, as the text says it last; -1: none
 
 private:
     const Unit* callee(const Unit& caller, const program::Call& c) const;

@@ -105,6 +105,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::compensation_left_by, "compensation", "left-by", "compensation.left-by"},
     {Command::compensation_right_by, "compensation", "right-by", "compensation.right-by"},
     {Command::compensation_off, "compensation", "off", "compensation.off"},
+    {Command::compensation_off_alone, "compensation", "off-alone", "compensation.off-alone"},
     {Command::corner_chamfer, "corner", "chamfer", "corner.chamfer"},
     {Command::corner_chamfer_leg, "corner", "chamfer-leg", "corner.chamfer-leg"},
     {Command::corner_rounding, "corner", "rounding", "corner.rounding"},

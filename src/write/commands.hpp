@@ -106,6 +106,7 @@ enum class Command : std::uint8_t {
     compensation_left_by,  ///< the radius that the program says
     compensation_right_by,
     compensation_off,
+    compensation_off_alone,  ///< where no move follows to end it with
     corner_chamfer,
     corner_chamfer_leg,
     corner_rounding,

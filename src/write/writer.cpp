@@ -242,7 +242,7 @@ void Writer::finish() {
     if (stairs_) stairs_->finish();
     if (stop_waits_) write_stop();
     flush_held();
-    if (!ended_) write_all();
+    if (!ended_) write_all(), end_compensation_alone(Urgency::at_end);
     if (!ended_ && cursor_.moves() > 0) end_cycles();
     spill_parts();
     values_.clear();

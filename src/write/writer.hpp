@@ -190,6 +190,13 @@ private:
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;
     void take_axes(Parts& parts, bool home = false);
+    enum class Urgency : std::uint8_t {
+        may_wait,  ///< for a block that has a place for it
+        now,
+        at_end,  ///< of the program, which ends compensation where no word does
+    };
+    void end_compensation_alone(Urgency urgency);
+    [[nodiscard]] bool ends_before(const Template& form, Command command) const;
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
     void note_unsaid(Command command, const Template& form, bool rapid);
@@ -283,6 +290,7 @@ private:
     bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
     geom::Vec3 tap_from_;                  ///< where that one began
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say
+    bool is_compensating_ = false;         ///< the text has switched it on
     struct Lead {
         Command command = Command::onto_tangent_line;
         bool onto = true, rapid = false;

@@ -225,6 +225,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     else
         flush_held();
     write_all();
+    end_compensation_alone(Urgency::may_wait);
     select_plane(*normal);
     set_values(way, at);
     std::string defined;
@@ -314,6 +315,7 @@ void Writer::print_lead() {
     values_ = lead.values;
     compensation_.reset();
     if (const auto& c = cursor_.state().compensation; c && lead.onto) compensation_ = compensation_of(*c);
+    is_compensating_ = lead.onto && compensation_;
     constexpr std::string_view what = "a way onto a contour or off it";
     const std::uint64_t line = layout_.next();
     const Printed printed = put(lead.command, parts_of(lead.rapid, nullptr), what);

@@ -13,35 +13,6 @@ void Writer::event(const cl::ToolChange& change) {
     if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
 }
 
-/// What switches it on; nothing where the program says the radius itself and the post has no word for that.
-std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begin) const {
-    const bool left = begin.side == cl::CompensationSide::left;
-    if (!begin.given) return left ? Command::compensation_left : Command::compensation_right;
-    const Command command = left ? Command::compensation_left_by : Command::compensation_right_by;
-    return post_.has(command) ? std::optional(command) : std::nullopt;
-}
-
-void Writer::event(const cl::CompensationBegin& begin) {
-    if (plain_) return;
-    compensation_ = compensation_of(begin);
-    if (!compensation_ || !post_.has(*compensation_)) {
-        // Without a radius the run's moves are those of the contour itself, and no path of the tool.
-        if (!(std::abs(begin.radius) > 0))
-            note(Fate::lost, "radius compensation by a radius that is not known");
-        else
-            note(Fate::expanded, compensation_ ? std::string(radius_compensation)
-                                               : "radius compensation by a radius that the program says");
-        compensation_.reset();
-        plain_ = true;
-    }
-    contour_begun_ = false;
-    programmed_.clear();
-}
-
-void Writer::event(const cl::CompensationEnd&) {
-    if (!std::exchange(plain_, false)) compensation_ = Command::compensation_off;
-}
-
 void Writer::event(const cl::DatumData& data) {
     write_all();
     write_zero(data);
@@ -64,6 +35,7 @@ void Writer::event(const cl::Stop& stop) {
         return;
     }
     write_all();
+    end_compensation_alone(Urgency::at_end);
     values_.clear();
     ended_ = true;
     print(Command::stop_end, "a stop");

@@ -60,17 +60,6 @@ void Writer::note_feed(bool rapid) {
         note(Fate::lost, "a feed: the post has no " + std::string(name_of(feed_command(false))));
 }
 
-void Writer::end_wait_of_compensation(Command command, const Template& form, std::uint64_t line) {
-    const About about(*this, Topic::compensation);
-    if (!has_part(form, Part::compensation))
-        note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
-    else if (compensation_ == Command::compensation_off)
-        note(Fate::mapped, "the end of radius compensation", line);
-    else
-        note(Fate::mapped, std::string(radius_compensation), line);
-    compensation_.reset();
-}
-
 /// Axes that the move cannot take along.
 void Writer::lose_axes() {
     for (const cl::Axis& axis : std::exchange(axes_, {}))
@@ -152,6 +141,10 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     if (magazine_) set_offsets(rapid);
     const Template* form = form_of(command, "a move");
     if (form == nullptr) return axes_.clear();
+    if (ends_before(*form, command)) {
+        end_compensation_alone(Urgency::may_wait);
+        if (!compensation_) parts.compensation = nullptr;
+    }
     if (form != &said_) note_unsaid(command, *form, rapid);
     take_axes(parts);
     const std::uint64_t line = layout_.next();
@@ -279,6 +272,7 @@ bool Writer::write_place(const cl::Linear& line) {
         return !geom::is_finite(p);
     }
     end_cycles();
+    end_compensation_alone(Urgency::may_wait);
     if (length_waits_ && command != Command::machine_home) write_all();
     constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
     values_.clear();

@@ -56,6 +56,7 @@ void Writer::write_tool() {
     end_cycles();
     const motion::State& s = cursor_.state();
     const cl::ToolChange& change = s.change;
+    end_compensation_alone(stays(change) ? Urgency::may_wait : Urgency::now);
     set_tool(change);
     if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, s.spindle.speed);
     const bool none = change.number == 0 && change.name.empty();
@@ -145,6 +146,7 @@ void Writer::write_all() {
 void Writer::write_waiting_length() {
     const About about(*this, Topic::length);
     if (!length_waits_) return;
+    end_compensation_alone(Urgency::may_wait);
     values_.clear();
     set_length();
     print(*std::exchange(length_waits_, std::nullopt), "the length of the tool");
@@ -171,6 +173,7 @@ void Writer::write_datum_anew() {
 /// What the program itself says a zero is; its places are in the values.
 void Writer::set_zero(std::uint32_t number, bool added) {
     end_cycles();
+    end_compensation_alone(Urgency::may_wait);
     printer_.forget_coordinates();
     for (const DatumForm& form : post_.datums) {
         const Template& text = added ? form.add : form.set;
@@ -206,6 +209,7 @@ void Writer::write_datum() {
     const bool first = !datum_;
     datum_ = datum;
     end_cycles();
+    end_compensation_alone(Urgency::may_wait);
     printer_.forget_coordinates();
     constexpr std::uint32_t none_selected = 500;
     for (const DatumForm& form : post_.datums) {
@@ -230,6 +234,7 @@ void Writer::write_frame() {
                                       [](const cl::FramePart& p) { return p.kind == cl::FrameKind::datum; });
     if (expanded && frames_refused_ == wanted) return;
     end_cycles();
+    end_compensation_alone(Urgency::may_wait);
     printer_.forget_coordinates();
     auto steps = frames_.lead_to(wanted, post_);
     if (!steps) {
@@ -322,6 +327,7 @@ void Writer::write_path() {
     const std::optional<cl::PathMode>& path = cursor_.state().path;
     if (path == path_ || !path) return;
     path_ = path;
+    end_compensation_alone(Urgency::may_wait);
     values_.clear();
     if (path->tolerance != 0) values_.set(Value::contour, path->tolerance);
     if (path->merge != 0) values_.set(Value::merge, path->merge);

@@ -23,11 +23,15 @@ KNOWN = {  # cycles of lathes whose start is where rs274's machine stands at fir
     "rs274/LinuxCNC__linuxcnc/nc_files/skeleton.ngc",
     # … and G70 under compensation, where rs274 first goes to the end of the contour (docs/dialects/linuxcnc.md)
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g70_71_demo.ngc",
-    # … and compensation that is written as the tool's path (a tool change behind G40 without a move between): the table
-    # of the stand-alone rs274 is in inches, so that its own radius is 25.4 times the one that this path was made with
-    "rs274/LinuxCNC__linuxcnc/nc_files/gmoccapy_2_tools_with_cutter_radius_compensation.ngc",
     "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_face_boring.ngc", "rs274/LinuxCNC__linuxcnc/nc_files/lathe_g7x_quadrants.ngc"}
-TOOLS = runner.Setting(tools=tuple((n, n, f"Z{n / 100:.2f} D0.02") for n in range(1, 100)))
+INCH = 25.4
+
+
+def table(unit):
+    return runner.Setting(tools=tuple((n, n, f"Z{n / 100 * unit:.4f} D{0.02 * unit:.4f}") for n in range(1, 100)))
+
+
+TOOLS, TOOLS_IN_MM = table(1), table(INCH)  # the stand-alone rs274 reads its table in inches, obrys that of a mill in mm
 PRINTED = 1e-4  # in the program's unit
 SAME = 2e-4     # mm, of what is written
 
@@ -69,7 +73,7 @@ def compared(obrys, path):
     if before.code != 0:
         return "refused by rs274", ""
     with tempfile.TemporaryDirectory() as folder:
-        tools, _, _ = runner.write_setting(TOOLS, folder, path)
+        tools, _, _ = runner.write_setting(TOOLS_IN_MM, folder, path)
         written = pathlib.Path(folder) / "written.ngc"
         done = subprocess.run([obrys, "translate", str(path), "--control", "linuxcnc", "--machine", "mill-generic", "--tools",
                                str(tools), "--to", "linuxcnc", "-o", str(written)], capture_output=True, check=False,

@@ -167,6 +167,15 @@ const CycleParameter* find_parameter(const Cycle& cycle, int line, std::string_v
     return nullptr;
 }
 
+std::uint32_t needed_lines(const Cycle& cycle) {
+    const bool named = !cycle.parameters.empty() && cycle.parameters.front().q >= 0;
+    if (named || cycle.use == Cycle::Use::refused || cycle.kind == cl::CycleKind::probe) return 0;
+    std::uint32_t lines = 0;
+    if (cycle.call_active)
+        for (const CycleParameter& p : cycle.parameters) lines |= p.line > 0 ? 1U << p.line : 0U;
+    return lines == 0 ? 1U << 1 : lines;
+}
+
 const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_t n) {
     for (const CycleParameter& p : cycle.parameters)
         if (p.q < 0 && p.line == line && n-- == 0) return &p;

@@ -51,6 +51,9 @@ struct Cycle {
 [[nodiscard]] const CycleParameter* find_parameter(const Cycle& cycle, int q);
 /// Numbered form: by line and keyword (upper case); null where that line has no such word.
 [[nodiscard]] const CycleParameter* find_parameter(const Cycle& cycle, int line, std::string_view word);
+/// Numbered form: bit n stands for line n, which a definition cannot do without; 0 in the named form. Cycles that act at
+/// their definition need their first line alone, which may be empty (a reset).
+[[nodiscard]] std::uint32_t needed_lines(const Cycle& cycle);
 /// Numbered form: the n-th (from 0) value of a line.
 [[nodiscard]] const CycleParameter* find_parameter_at(const Cycle& cycle, int line, std::size_t n);
 

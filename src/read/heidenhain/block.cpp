@@ -259,7 +259,7 @@ void read_block(State& s) {
     if (!s.numbered && s.first_numbered && read_cycle_line(s)) return;
     const std::string_view word = s.in.letters();
     const std::uint32_t begin = s.in.at();
-    if (!is(word, "CYCL") && !is(word, "CYCLE") && !is(word, "GLOBAL")) s.open_cycle = program::no_target;
+    if (!is(word, "CYCL") && !is(word, "CYCLE") && !is(word, "GLOBAL")) end_cycle(s);
     const bool known =
         !word.empty() && (read_structure(s, word) || read_special_block(s, word) || read_path_block(s, word) ||
                           read_pattern_block(s, word) || read_contour_block(s, word) || read_shop_block(s, word) ||

@@ -2,6 +2,7 @@
 /// CYCL CALL.
 
 #include <algorithm>
+#include <utility>
 
 #include "base/number.hpp"
 #include "base/whole.hpp"
@@ -13,6 +14,13 @@ namespace obrys::read::heidenhain {
 using program::no_expr;
 
 namespace {
+
+constexpr unsigned most_lines = 16;  ///< of a definition in the numbered form
+
+int number_of(const program::CycleDefinition& c) {
+    const auto n = base::parse_integer(std::string_view(c.name).substr(c.name.find_last_of(' ') + 1));
+    return n && *n >= 0 && *n <= 999 ? static_cast<int>(*n) : 0;
+}
 
 /// The cycle has a value for this already.
 bool stands_twice(State& s, const dialect::heidenhain::CycleParameter& p, std::uint32_t begin) {
@@ -37,7 +45,28 @@ void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId 
     open_cycle(s).settings.push_back(setting);
 }
 
+void end_cycle(State& s) {
+    const std::uint32_t missing = std::exchange(s.lines_needed, 0) & ~std::exchange(s.lines_read, 0);
+    const std::uint32_t ended = std::exchange(s.open_cycle, program::no_target);
+    if (missing == 0 || ended == program::no_target) return;
+    const program::CycleDefinition& c = s.build.unit().cycles[ended];
+    const std::string number = std::to_string(number_of(c));
+    std::string lines;
+    for (unsigned line = 1; line < most_lines; ++line) {
+        if ((missing & 1U << line) == 0) continue;
+        if (!lines.empty()) lines += ", ";
+        lines += number + "." + std::to_string(line);
+    }
+    // A block of its own: the definition has been read, and nobody knows what it says.
+    s.build.statement(StatementKind::block, s.block);
+    s.build.fail(c.where.begin, c.where.end, c.name + ".0 stands without its " + lines,
+                 "write the line that is missing, or take the definition out");
+    s.build.end_statement(s.block);
+    s.statements = s.build.unit().statements.size();
+}
+
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin) {
+    end_cycle(s);
     program::CycleDefinition c;
     c.name = "CYCL DEF " + std::to_string(number);
     c.where = s.build.span(begin, s.in.at());
@@ -57,11 +86,6 @@ void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, 
 }
 
 namespace {
-
-int number_of(const program::CycleDefinition& c) {
-    const auto n = base::parse_integer(std::string_view(c.name).substr(c.name.find_last_of(' ') + 1));
-    return n && *n >= 0 && *n <= 999 ? static_cast<int>(*n) : 0;
-}
 
 /// A value behind Q206=: a number or parameter, or FMAX, FAUTO, FU0.2, FZ0.1, PREDEF.
 void read_setting(State& s, program::CycleSetting& setting) {
@@ -200,6 +224,11 @@ void read_cycle_definition(State& s, std::uint32_t begin) {
         return;
     }
     if (cycle == nullptr) return s.in.skip_block();
+    if (line == 0) s.lines_needed = dialect::heidenhain::needed_lines(*cycle);
+    if (line > 0 && line < static_cast<int>(most_lines)) {
+        s.lines_read |= 1U << line;
+        s.lines_needed |= (1U << line) - 2;  // those before it
+    }
     read_numbered_line(s, *cycle, line);
 }
 
@@ -244,6 +273,7 @@ void read_global_values(State& s) {
 void read_cycle_block(State& s) {
     const std::uint32_t begin = s.block;
     if (s.in.take_word("DEF")) return read_cycle_definition(s, begin);
+    end_cycle(s);
     if (s.in.take_word("CALL")) return read_cycle_call(s, s.in.at());
     s.build.statement(StatementKind::block, s.block);
     fail_here(s, "DEF or CALL is due behind CYCL, found " + here(s));

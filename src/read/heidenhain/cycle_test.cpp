@@ -45,6 +45,28 @@ TEST(KlartextCycle, LinesOfTheOldFormBelongTogether) {
     EXPECT_EQ(Reading("1 CYCL DEF 1.0 X\n2 CYCL DEF 1.1 DIST 2\n").unit.cycles.size(), 1u);
 }
 
+TEST(KlartextCycle, ALineOfTheOldFormThatIsMissingIsNamed) {
+    for (const int n : {7, 8, 9, 10, 11, 12, 13, 14, 19, 26, 32}) {
+        const std::string cycle = "CYCL DEF " + std::to_string(n), first = std::to_string(n) + ".1";
+        for (const std::string behind :
+             {"2 L X+1\n", "2 L X+1 M3\n", "2 CYCL DEF 200\n", "2 CYCL CALL\n", "2 LBL 1\n", ""})
+            EXPECT_EQ(complaint("1 " + cycle + ".0 NAME\n" + behind), cycle + ".0 stands without its " + first)
+                << behind;
+    }
+    EXPECT_EQ(
+        complaint("1 CYCL DEF 1.0 X\n2 CYCL DEF 1.1 DIST 2\n3 CYCL DEF 1.3 PECKG 5\n4 CYCL DEF 1.4 DWELL 0\n5 L X+1\n"),
+        "CYCL DEF 1.0 stands without its 1.2, 1.5");
+    EXPECT_EQ(complaint("1 CYCL DEF 7.0 X\n2 CYCL DEF 7.1 X+1\n3 CYCL DEF 7.3 Z+2\n4 L X+1\n"),
+              "CYCL DEF 7.0 stands without its 7.2");
+    // Empty lines reset what they are for, comments may stand between, and lines behind the first are for some
+    // machines.
+    EXPECT_EQ(
+        Reading("1 CYCL DEF 8.0 X\n; why\n2 CYCL DEF 8.1\n3 CYCL DEF 32.0 T\n4 CYCL DEF 32.1\n5 L X+1\n").messages(),
+        "");
+    EXPECT_EQ(Reading("1 CYCL DEF 7.0 X\n2 CYCL DEF 7.1 X+1\n3 CYCL DEF 7.2 Y+2\n4 L X+1\n").messages(), "");
+    EXPECT_EQ(Reading("1 CYCL DEF 20.0 X ~\n Q1=-2 ~\n Q2=1\n4 L X+1\n").messages(), "");
+}
+
 TEST(KlartextCycle, ContoursByTheirLabels) {
     const Reading r("1 CYCL DEF 14.0 KONTUR\n2 CYCL DEF 14.1 KONTURLABEL 1 /2 / 15\n");
     EXPECT_EQ(r.messages(), "");
@@ -55,11 +77,12 @@ TEST(KlartextCycle, ContoursByTheirLabels) {
 }
 
 TEST(KlartextCycle, ABlockBetweenEndsTheCycle) {
-    EXPECT_EQ(complaint("1 CYCL DEF 1.0 PECKING\n2 L X+1\n3 CYCL DEF 1.1 DIST 2\n"),
-              "CYCL DEF 1.1 stands without its 1.0");
-    EXPECT_EQ(complaint("1 CYCL DEF 1.0 PECKING\n2 L X+1 M3\n3 CYCL DEF 1.1 DIST 2\n"),
-              "CYCL DEF 1.1 stands without its 1.0");
-    EXPECT_EQ(complaint("1 CYCL DEF 1.0 PECKING\n2 ; comment\n3 CYCL DEF 1.1 DIST 2\n"), "");
+    for (const std::string between : {"2 L X+1\n", "2 L X+1 M3\n"}) {
+        const std::string said = Reading("1 CYCL DEF 9.0 DWELL\n" + between + "3 CYCL DEF 9.1 DWELL 1\n").messages();
+        EXPECT_NE(said.find("CYCL DEF 9.1 stands without its 9.0"), std::string::npos) << said;
+        EXPECT_NE(said.find("CYCL DEF 9.0 stands without its 9.1"), std::string::npos) << said;
+    }
+    EXPECT_EQ(complaint("1 CYCL DEF 9.0 DWELL\n2 ; comment\n3 CYCL DEF 9.1 DWELL 1\n"), "");
 }
 
 TEST(KlartextCycle, LinesWithoutNumberGoOnWithANumberedCycle) {

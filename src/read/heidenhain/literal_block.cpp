@@ -42,7 +42,7 @@ bool read_literal_block(State& s) {
     program::Unit& unit = s.build.unit();
     const char* line = s.in.here();
     const char* p = line;
-    if (!base::is_digit(*p)) return false;
+    if (!base::is_digit(*p) || s.lines_missing() != 0) return false;
     while (base::is_digit(*p)) ++p;
     while (base::is_blank(*p)) ++p;
     if (*p != 'L' || !base::is_blank(p[1])) return false;

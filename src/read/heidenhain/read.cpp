@@ -78,6 +78,7 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
         if (first) s.first_numbered = s.numbered;
         first = false;
     }
+    end_cycle(s);
     check_end(s, "BEGIN PGM", "END PGM", diagnostics);
     resolve_labels(s);
     lay_aside(s, sources);

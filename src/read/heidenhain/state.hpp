@@ -50,7 +50,11 @@ struct State {
     std::uint32_t last_path = program::no_target;   ///< the block before, where it is a contour element
     bool after_stop = false;                        ///< the block before was STOP: a comment is its message
     std::uint32_t open_cycle = program::no_target;  ///< entry in Unit::cycles that further lines belong to
+    /// Of the numbered form, bit n for line n of the open cycle: that must stand there, and that were read.
+    std::uint32_t lines_needed = 0, lines_read = 0;
     IsoState iso;
+
+    [[nodiscard]] std::uint32_t lines_missing() const { return lines_needed & ~lines_read; }
 };
 
 [[nodiscard]] inline program::CycleDefinition& open_cycle(State& s) { return s.build.unit().cycles[s.open_cycle]; }
@@ -162,6 +166,8 @@ void read_names(State& s);  ///< labels of contours and names of programs
 void read_program_name(State& s);
 [[nodiscard]] ExprId read_sense(State& s);  ///< DR+ and DR-: the sign alone
 void read_named(State& s);                  ///< Q200=2 … of the open cycle
+/// No further line belongs to the open cycle: complains where one is missing.
+void end_cycle(State& s);
 void start_cycle(State& s, int number, const dialect::heidenhain::Cycle* cycle, std::uint32_t begin);
 void add_setting(State& s, const dialect::heidenhain::CycleParameter& p, ExprId value, bool incremental,
                  std::uint32_t begin);

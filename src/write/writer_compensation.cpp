@@ -1,0 +1,79 @@
+/// Radius compensation: it begins and ends with a move, and ends by itself before what no control does under it.
+
+#include <cmath>
+
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+/// What switches it on; nothing where the program says the radius itself and the post has no word for that.
+std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begin) const {
+    const bool left = begin.side == cl::CompensationSide::left;
+    if (!begin.given) return left ? Command::compensation_left : Command::compensation_right;
+    const Command command = left ? Command::compensation_left_by : Command::compensation_right_by;
+    return post_.has(command) ? std::optional(command) : std::nullopt;
+}
+
+void Writer::event(const cl::CompensationBegin& begin) {
+    if (plain_) return;
+    const std::optional<Command> wanted = compensation_of(begin);
+    if (!wanted || !post_.has(*wanted)) {
+        end_compensation_alone(Urgency::now);  // of the contour before
+        // Without a radius the run's moves are those of the contour itself, and no path of the tool.
+        if (!(std::abs(begin.radius) > 0))
+            note(Fate::lost, "radius compensation by a radius that is not known");
+        else
+            note(Fate::expanded,
+                 wanted ? std::string(radius_compensation) : "radius compensation by a radius that the program says");
+        compensation_.reset();
+        plain_ = true;
+    } else {
+        compensation_ = wanted;
+    }
+    contour_begun_ = false;
+    programmed_.clear();
+}
+
+void Writer::event(const cl::CompensationEnd&) {
+    if (!std::exchange(plain_, false)) compensation_ = Command::compensation_off;
+}
+
+/// The end of compensation that waits for a move stands in a block of its own before what is not to be done under it:
+/// a change of tools, zeros or frames, cycles, places of the machine, the end of the program.
+void Writer::end_compensation_alone(Urgency urgency) {
+    if (!is_compensating_ || compensation_ != Command::compensation_off) return;
+    const About about(*this, Topic::compensation);
+    constexpr std::string_view what = "the end of radius compensation";
+    const bool sayable = post_.has(Command::compensation_off_alone);
+    if (!sayable && urgency == Urgency::may_wait) return;
+    compensation_.reset();
+    is_compensating_ = false;
+    if (!sayable && urgency == Urgency::at_end) {
+        Note left_out{Fate::expanded, std::string(what) + ", which the end of the program brings,", {}, 0, 0};
+        left_out.instead = "is left out";
+        return note_at(std::move(left_out));
+    }
+    const Values of_what_follows = std::exchange(values_, {});
+    print(Command::compensation_off_alone, what);
+    values_ = of_what_follows;
+}
+
+/// A block that has no place for the end of compensation, or an arc, with which no control takes it.
+bool Writer::ends_before(const Template& form, Command command) const {
+    const bool turns = command >= Command::arc_cw && command <= Command::helix_ccw;
+    return turns || !has_part(form, Part::compensation);
+}
+
+void Writer::end_wait_of_compensation(Command command, const Template& form, std::uint64_t line) {
+    const About about(*this, Topic::compensation);
+    if (!has_part(form, Part::compensation))
+        note(Fate::lost, "compensation: " + std::string(name_of(command)) + " of the post has no place for it");
+    else if (compensation_ == Command::compensation_off)
+        note(Fate::mapped, "the end of radius compensation", line);
+    else
+        note(Fate::mapped, std::string(radius_compensation), line);
+    is_compensating_ = compensation_ != Command::compensation_off;
+    compensation_.reset();
+}
+
+}  // namespace obrys::write
