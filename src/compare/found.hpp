@@ -2,8 +2,10 @@
 /// The first difference of each aspect, in the order in which they are found.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "base/number.hpp"
 #include "cl/text.hpp"
 #include "compare/compare.hpp"
 
@@ -36,6 +38,18 @@ public:
 inline std::string words(const cl::Step& step) {
     std::string out = cl::to_text({step, {}, 0});
     return out.substr(0, out.rfind(" @"));
+}
+/// A zero as a message names it: the ledger calls zeros by the same numbers.
+inline std::string words(const cl::Datum& datum) {
+    constexpr std::uint32_t none_selected = 500;
+    const bool none = datum.number == 0 || datum.number == none_selected;
+    std::string out = none ? "the zero that is active without a word" : "zero " + std::to_string(datum.number);
+    const geom::Vec3& p = datum.origin;
+    if (std::isnan(p.x) && std::isnan(p.y) && std::isnan(p.z)) return none ? out : out + ", whose place is not known";
+    const auto coordinate = [](const char* axis, double v) {
+        return axis + (std::isnan(v) ? std::string("unknown") : base::shortest(v) + " mm");
+    };
+    return out + " at" + coordinate(" X ", p.x) + coordinate(" Y ", p.y) + coordinate(" Z ", p.z) + " of the machine";
 }
 
 }  // namespace obrys::compare

@@ -19,12 +19,20 @@ void erase_cycles(shop::Value& post, const shop::Value& kinds) {
         return kinds.text == kind || std::any_of(kinds.items.begin(), kinds.items.end(),
                                                  [&](const shop::Value& v) { return v.text == kind; });
     };
+    /// The form is of no other kind, and is to go; else it keeps the others.
+    const auto leaves_out = [&](shop::Value& form) {
+        const auto kind =
+            std::find_if(form.entries.begin(), form.entries.end(), [](const Entry& e) { return e.key == "kind"; });
+        if (kind == form.entries.end()) return false;
+        std::vector<shop::Value>& several = kind->value.items;
+        if (several.empty()) return is_named(kind->value.text);
+        std::erase_if(several, [&](const shop::Value& v) { return is_named(v.text); });
+        return several.empty();
+    };
     for (Entry& e : post.entries)
         if (e.key == "cycle")
-            std::erase_if(e.value.items, [&](const shop::Value& form) {
-                const Entry* kind = shop::find(form, "kind");
-                return kind != nullptr && is_named(kind->value.text);
-            });
+            e.value.items.erase(std::remove_if(e.value.items.begin(), e.value.items.end(), leaves_out),
+                                e.value.items.end());
 }
 
 /// What `over` says stands in the place of what `under` says; tables are joined, arrays of tables too, those of `over`

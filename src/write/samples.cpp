@@ -177,11 +177,6 @@ void Maker::contours() {
         add(side == cl::CompensationSide::left ? "compensation to the left" : "compensation to the right",
             {begin, element(at_, first, cl::Corner::none), line(first), element(first, second, cl::Corner::none),
              line(second), cl::CompensationEnd{}, line(at_)});
-        cl::ToolChange other;
-        other.number = 2, other.edge = 1;
-        if (side == cl::CompensationSide::left)
-            add("compensation that ends before another tool, without a move",
-                {begin, element(at_, first, cl::Corner::none), line(first), cl::CompensationEnd{}, other, line(at_)});
     }
     constexpr std::pair<cl::Corner, const char*> corners[] = {{cl::Corner::chamfer, "chamfer by its length"},
                                                               {cl::Corner::chamfer_leg, "chamfer by its legs"},
