@@ -5,7 +5,7 @@ usage: matrix.py OBRYS --golden FOLDER [--examples FOLDER] [--corpus FOLDER] [--
 
 Of each control N programs are taken at equal distances from the sorted list of those that run without a complaint: the
 examples and golden cases, and, where FOLDER is there, programs of the corpus, which nobody here wrote. What `translate`
-calls equal is held to the program once more by `compare`, from the files; a difference there is one that was silent,
+calls equal is held to the program once more by `compare`, from the files, as near as it says; a difference there is one that was silent,
 and the exit code is 1.
 """
 import argparse
@@ -59,6 +59,9 @@ def compared(obrys, case, told, out, err):
     taken = re.search(r"note: no machine is named: (\S+) is taken", err)
     if taken and "--machine" not in options_of:
         options_of += ["--machine", taken.group(1)]
+    within = re.search(r"within (\S+) mm", err)  # places on arcs follow from rounded words, and it says how near they are
+    if within and "--tolerance" not in options_of:
+        options_of += ["--tolerance", within.group(1)]
     is_job, jobs = case.program.endswith(".toml"), []
     text = (case.folder / case.program).read_text(encoding="utf-8", errors="replace") if is_job else ""
     named = re.search(r'(?m)^\s*program\s*=\s*"([^"]*)"', text)
