@@ -170,6 +170,7 @@ TEST(bad_input, NamesTheParameterAtFault) {
             const bool signs = s.kind == Kind::peck || s.kind == Kind::rectangular_pocket_simple ||
                                s.kind == Kind::circular_pocket_simple;
             if (signs && role == Role::infeed && value < 0) continue;  // sign of older programs
+            if (s.kind == Kind::canned_tap_rigid && role == Role::infeed && value == 0) continue;  // Q0: in one go
             tried++;
             const Expansion e = expand({s.kind, with(s.values, {{role, value}})}, situation());
             EXPECT_FALSE(e.ok()) << label(s, role) << ' ' << value;
