@@ -217,6 +217,7 @@ std::vector<write::Post> lesser_posts(const Version& now, std::size_t differs, d
         out.push_back(now.post);
         leave_out(out.back(), *form);
     }
+    if (write::Post standing = now.post; write::leave_out_turns(standing)) out.push_back(std::move(standing));
     if (write::Post frameless = now.post; write::leave_out_frames(frameless)) out.push_back(std::move(frameless));
     return out;
 }

@@ -7,6 +7,9 @@
 
 namespace obrys::write {
 
+/// Takes the post's words for tilted planes that turn the rotary axes; false where it has none.
+[[nodiscard]] bool leave_out_turns(Post& post);
+
 /// Takes the post's words for frames; false where it has none.
 [[nodiscard]] bool leave_out_frames(Post& post);
 

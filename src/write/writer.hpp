@@ -4,6 +4,7 @@
 
 #include <array>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -157,6 +158,7 @@ private:
     void write_zero(const cl::DatumData& data);
     void write_frame();
     void write_place_of_frame(const cl::Linear& line, const cl::MachinePlace& place);
+    [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
     [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
@@ -267,6 +269,7 @@ private:
     /// How the rotary axes go where the block that tilts the plane turns them.
     enum class Turning : std::uint8_t { none, axes_alone, keeps_tip };
     Turning turning_ = Turning::none;
+    std::map<std::array<char, 8>, double> axes_at_;  ///< where each stands, by the moves so far
     bool turns_at_rapid_ = false;
     bool has_turned_ = false;                  ///< the words of the plane have turned them
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say

@@ -215,7 +215,8 @@ void Writer::note_direction(const geom::Vec3& axis) {
 
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
-    if (turns_with_plane(step) && write_turn(*line, from)) return;
+    const bool axes_turn = take_places_of_axes();
+    if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
     coolant_may_wait_ =
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     // The spindle of a tap reverses by itself.

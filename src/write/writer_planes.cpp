@@ -25,6 +25,17 @@ bool is_same_place(const geom::Vec3& a, const geom::Vec3& b) {
 
 }  // namespace
 
+/// Whether an axis of the next move stands elsewhere yet, or nobody knows where.
+bool Writer::take_places_of_axes() {
+    bool any = false;
+    for (const cl::Axis& axis : axes_) {
+        const auto [at, is_new] = axes_at_.try_emplace(axis.name, axis.to);
+        any = any || is_new || !(std::abs(at->second - axis.to) <= 1e-9);
+        at->second = axis.to;
+    }
+    return any;
+}
+
 /// The block that changes the plane is the one that moves the axes.
 bool Writer::turns_with_plane(const cl::Step& step) const {
     if (!std::holds_alternative<cl::Linear>(step) || axes_.empty() || place_ || now_ == nullptr) return false;
