@@ -74,6 +74,8 @@ struct Tolerance {
     /// B was written from A: a length that A compensates has to be compensated, and a zero that both call by a number
     /// of the same kind (G54 to G59, presets) has to be the same one, also where nobody knows its place.
     bool is_written_from_a = false;
+    /// A control that moves one axis at a time: which of them were said together is no matter.
+    bool is_axis_by_axis = false;
 };
 
 /// Compares two streams as they come. Only what has no counterpart yet is kept.

@@ -66,8 +66,6 @@ void Path::hold() {
     if (to_holder_) now.tool.edge = 0, now.length = 0, now.length_by.reset();
     Holding marked = with_marks(now);
     if (marked == marked_) return;
-    const bool another = now.tool.number != holding_->tool.number || now.tool.name != holding_->tool.name;
-    has_several_tools = has_several_tools || (another && moves.size() > 0 && holding_->tool != cl::ToolChange{});
     marked_ = std::move(marked);
     holding_ = std::make_shared<const Holding>(std::move(now));
 }
@@ -120,6 +118,15 @@ std::shared_ptr<const Holding> Path::holding_of(const cl::Step& step) {
     return std::make_shared<const Holding>(std::move(coupled));
 }
 
+/// An empty spindle is no tool.
+void Path::note_tool() {
+    const cl::ToolChange& tool = holding_->tool;
+    if (moving_ == holding_ || (tool.number == 0 && tool.name.empty())) return;
+    has_several_tools =
+        has_several_tools || (moving_ && (moving_->tool.number != tool.number || moving_->tool.name != tool.name));
+    moving_ = holding_;
+}
+
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
@@ -129,6 +136,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     if (to_holder_) held_ = false;
     hold();
     if (std::exchange(to_holder_, false)) held_ = false;
+    note_tool();
     for (const cl::Axis& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
     if (goes_on(record)) {
         auto& arc = std::get<cl::Arc>(moves.back().step);
@@ -197,6 +205,8 @@ void Path::take_tool_data(const cl::Record& record, const cl::ToolData& data) {
 
 void Path::take_event(const cl::Record& record) {
     if (const auto* data = std::get_if<cl::ToolData>(&record.step)) return take_tool_data(record, *data);
+    const auto* said = std::get_if<cl::MachinePlace>(&record.step);
+    if (said != nullptr && said->kind == cl::PlaceKind::frame && is_axis_by_axis_) return;
     cl::Step step = record.step;
     if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
         const cl::ToolChange now = tool_of(*change), before = holding_->tool;

@@ -52,7 +52,8 @@ struct Move {
 /// so is a tool that is called while it is in the spindle.
 class Path {
 public:
-    explicit Path(double same_place) : same_place_(same_place) {}
+    explicit Path(double same_place, bool is_axis_by_axis = false)
+        : same_place_(same_place), is_axis_by_axis_(is_axis_by_axis) {}
     void take(const cl::Record& record);
     /// Who compares as the records come has done with those before.
     void forget(std::size_t move, std::size_t event, std::size_t cycle, std::size_t contour) {
@@ -67,6 +68,7 @@ public:
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
+    void note_tool();
     void take_axis(const cl::Axis& axis);
     void take_event(const cl::Record& record);
     void take_tool_data(const cl::Record& record, const cl::ToolData& data);
@@ -76,7 +78,9 @@ private:
     void hold();
 
     double same_place_;
+    bool is_axis_by_axis_;
     motion::Cursor cursor_;
+    std::shared_ptr<const Holding> moving_;  ///< what held at the last move under a tool
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
     Holding marked_;          ///< the same, with numbers in the place of those that nobody knows
     bool held_ = false;       ///< nothing came since that would change it

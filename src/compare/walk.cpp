@@ -190,8 +190,9 @@ Result Walk::finish() {
     // A program of another control that compensates no length at all counts from other zeros, but where it was to do
     // the same, and where it has several tools: no zero is right for all of them.
     const bool in_a = sides[0].path().compensates_length, in_b = sides[1].path().compensates_length;
-    const bool both =
-        like.same_control() || (in_a && (in_b || like.is_written_from_a() || sides[1].path().has_several_tools));
+    const bool alone_in_a = in_a && (like.is_written_from_a() || sides[1].path().has_several_tools);
+    const bool alone_in_b = in_b && !like.is_written_from_a() && sides[0].path().has_several_tools;
+    const bool both = like.same_control() || (in_a && in_b) || alone_in_a || alone_in_b;
     Found sorted;
     for (Difference d : all.all) {
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum, d.is_done = is_done(d.aspect);

@@ -116,6 +116,7 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
         compare::Tolerance within = t;
         within.same_control = s.control == post.control;
         within.is_written_from_a = true;
+        within.is_axis_by_axis = post.staircase.has_value();
         out.compared = compare_with(*translated.does, *out.run, within);
         return true;
     };

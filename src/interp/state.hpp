@@ -133,7 +133,10 @@ struct Reckoning : Saying, ToolRack {
 
     geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
     geom::Vec3 programmed_position;  ///< in the programmed frame
-    geom::Frame frame;               ///< programmed frame -> stream frame
+    /// Axes of which no word has come since another tool was taken: the machine may have gone anywhere for that.
+    std::array<bool, 3> unsaid_since_change{};
+    std::pair<std::uint32_t, std::string> changed_to{0, {}};  ///< number and name of that tool
+    geom::Frame frame;                                        ///< programmed frame -> stream frame
     bool frame_is_identity = true;
     geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
     std::uint32_t reference_datum = 500;  ///< the datum in which the stream's coordinates are

@@ -110,7 +110,8 @@ void Staircase::step(const Way& way, double from, double to, int halved) {
 void Staircase::take_event(const cl::Record& record) {
     const cl::Step& step = record.step;
     if (std::holds_alternative<cl::Axis>(step)) return axes_.push_back(record);
-    if (std::holds_alternative<cl::MachinePlace>(step)) {
+    if (const auto* place = std::get_if<cl::MachinePlace>(&step)) {
+        if (place->kind == cl::PlaceKind::frame) return;  // each axis is said alone here
         place_ = record;
         return;
     }

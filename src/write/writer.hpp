@@ -157,10 +157,10 @@ private:
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
     void write_frame();
-    void write_place_of_frame(const cl::Linear& line, const cl::MachinePlace& place);
+    [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
-    [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
+    [[nodiscard]] bool write_turn(const cl::Linear& line);
     [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
     void write_spindle();
     void await_coolant();

@@ -36,6 +36,7 @@ void Writer::event(const cl::Stop& stop) {
     }
     write_all();
     end_compensation_alone(Urgency::at_end);
+    write_frame();  // what was cancelled is not to hold for the next program
     values_.clear();
     ended_ = true;
     print(Command::stop_end, "a stop");
@@ -57,6 +58,7 @@ void Writer::write_stop() {
     const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
     print(optional ? Command::stop_optional : Command::stop_program, "a stop");
     stop_spindle(post_.stop_stops_spindle);
+    if (!post_.stop_stops_spindle.empty()) coolant_ = {};  // what stops the one stops the other
     now_ = now;
 }
 

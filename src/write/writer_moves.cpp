@@ -216,7 +216,7 @@ void Writer::note_direction(const geom::Vec3& axis) {
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
-    if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
+    if (axes_turn && turns_with_plane(step) && write_turn(*line)) return;
     coolant_may_wait_ =
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     // The spindle of a tap reverses by itself.
@@ -259,7 +259,7 @@ Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
 bool Writer::write_place(const cl::Linear& line) {
     if (!place_) return false;
     const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
-    if (place.kind == cl::PlaceKind::frame) return write_place_of_frame(line, place), true;
+    if (place.kind == cl::PlaceKind::frame) return write_said(line, place);
     const Command command = place_command(place, line.rapid);
     const bool said = place.kind != cl::PlaceKind::coordinates;
     const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};

@@ -126,7 +126,9 @@ void Milling::spindle_changed(const cl::Spindle& before) {
     // Not held, a program's own stop says nothing of where the edge stands; a cycle's does.
     const bool bar_stands = oriented || (is_placed(cycle_) && stands);
     if (bar_stands && stops && !moves_.empty()) stopped_at_ = moves_.back().to;
-    edge_away_ = bar_stands && (edge_away_ || (stops && !moves_.empty()));
+    const bool swings = before.held && state_.spindle.held && *before.held != *state_.spindle.held;  // NaN: not told
+    edge_away_ = bar_stands && !swings && (edge_away_ || (stops && !moves_.empty()));
+    edge_leaves_.reset();
     judge_reversal(before);
 }
 

@@ -97,6 +97,7 @@ private:
     void require(sim::milling::Taken taken);
     [[nodiscard]] std::string name_of(const QueuedPass& pass, const MilledMove& move) const;
     [[nodiscard]] bool leaves_the_wall(const geom::Straight& way) const;
+    [[nodiscard]] bool is_on_its_way_out(const geom::Straight& way, const geom::Vec3& from, const geom::Vec3& to) const;
     /// A tool of the simulation: a cylinder as high as the edges of the tool in use.
     [[nodiscard]] std::uint32_t bar_of(double radius);
     void queue_bar(const geom::Straight& way, const MilledMove& move);
@@ -224,9 +225,10 @@ private:
     std::uint32_t passes_ = 0, pieces_left_ = 0;
     geom::Vec3 axis_{0, 0, 1};
     base::Span cycle_ = nowhere;  ///< call of the cycle being run
-    bool edge_away_ =
-        false;               ///< a boring bar stands at an angle, or its cycle has stopped it: the edge leaves the wall
-    geom::Vec3 stopped_at_;  ///< the tip then
+    /// A boring bar stands at an angle, or its cycle has stopped it: the edge leaves the wall.
+    bool edge_away_ = false;
+    std::optional<geom::Vec3> edge_leaves_;                           ///< to where, by the program's own way
+    geom::Vec3 stopped_at_;                                           ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
     bool tool_ready_ = false, complete_ = true, memory_full_ = false, whole_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread

@@ -87,9 +87,26 @@ geom::Vec3 beside(geom::Vec3 p, geom::Vec3 point, geom::Vec3 axis) {
 bool Milling::leaves_the_wall(const geom::Straight& way) const {
     if (!edge_away_ || !may_bore(*tool_)) return false;
     const double most = off_the_wall * (tool_->radius + tool_->delta_radius);
-    const double from = geom::length(beside(way.from, stopped_at_, axis_)),
-                 to = geom::length(beside(way.to, stopped_at_, axis_));
-    return std::max(from, to) > 1e-9 && from <= most && to <= most;
+    const geom::Vec3 from = beside(way.from, stopped_at_, axis_), to = beside(way.to, stopped_at_, axis_);
+    if (!(std::max(geom::length(from), geom::length(to)) > 1e-9)) return false;
+    if (geom::length(from) > most || geom::length(to) > most) return false;
+    return is_placed(cycle_) || is_on_its_way_out(way, from, to);
+}
+
+/// By words of its own a program may do anything beside the hole: what cycles do is taken for what it is, a small step
+/// to one side, along the axis outwards, and back over the hole.
+bool Milling::is_on_its_way_out(const geom::Straight& way, const geom::Vec3& from, const geom::Vec3& to) const {
+    constexpr double most_step = 1.0;  // mm; cycles step 0.2 mm, or by Q of G76
+    if (std::max(geom::length(from), geom::length(to)) > most_step) return false;
+    if (geom::dot(way.to - way.from, axis_) < -1e-9) return false;
+    const auto is_there = [&](const geom::Vec3& v) {
+        return geom::length(v) <= 1e-9 || !edge_leaves_ ||
+               geom::length(v - (geom::dot(v, *edge_leaves_)) * *edge_leaves_) <= 1e-6;
+    };
+    const auto is_that_side = [&](const geom::Vec3& v) {
+        return !edge_leaves_ || geom::dot(v, *edge_leaves_) >= -1e-9;
+    };
+    return is_there(from) && is_there(to) && is_that_side(from) && is_that_side(to);
 }
 
 std::uint32_t Milling::bar_of(double radius) {
@@ -116,6 +133,7 @@ void Milling::queue_bar(const geom::Straight& way, const MilledMove& move) {
         sim_tool_ = own;
     };
     const geom::Vec3 from = beside(way.from, stopped_at_, axis_), to = beside(way.to, stopped_at_, axis_);
+    if (!edge_leaves_ && geom::length(to) > 1e-9) edge_leaves_ = (1 / geom::length(to)) * to;
     probe(way, off_the_wall * radius);
     if (geom::distance(from, to) < 1e-9) probe({way.from - from, way.to - from}, radius - geom::length(from));
     out_.assumption(

@@ -28,6 +28,8 @@ void end_of_program(Calling& run, int m) {
         return;
     }
     if (!called) tell_end(run, m);
+    // What was cancelled behind the last move is not to hold for the next program.
+    if (!called && !run.told.parts.empty()) emit_frame(run);
     if (!called) emit(run, cl::Stop{cl::StopKind::end});
     leave(run);
 }

@@ -198,20 +198,27 @@ void capture(Moving& run, const path::Element& e, bool rapid) {
 
 namespace {
 
-/// In a turned frame a coordinate that is not known hides those that the program has said.
-void tell_place_in_frame(Telling& run) {
-    if (run.frame_is_identity || geom::is_finite(run.position) || !geom::is_invertible(run.frame)) return;
-    const geom::Vec3 seen = geom::apply(geom::inverse(run.frame), run.position);
+/// What the program has said, where the point on the workpiece does not tell that: in a turned frame a coordinate that
+/// is not known hides others, and behind a change of tools one that has not been said anew looks as though it had been.
+void tell_said(Moving& run) {
+    std::array<bool, 3>& unsaid = run.unsaid_since_change;
+    for (int k = 0; k < 3; ++k)
+        if (run.block.has(axis_code(k))) unsaid[static_cast<std::size_t>(k)] = false;
+    const bool is_hidden = !run.frame_is_identity && !geom::is_finite(run.position);
+    if (!is_hidden && unsaid == std::array<bool, 3>{}) return;
+    if (!geom::is_invertible(run.frame)) return;
+    const geom::Vec3 seen = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
     cl::MachinePlace place{cl::PlaceKind::frame};
-    bool hidden = false;
+    bool tells = false;
     for (int k = 0; k < 3; ++k) {
+        const auto n = static_cast<std::size_t>(k);
         const double said = coordinate(run.programmed_position, k);
         if (!std::isfinite(said)) continue;
-        place.axes[static_cast<std::size_t>(k)] = true;
-        coordinate(place.to, k) = said;
-        hidden = hidden || !std::isfinite(coordinate(seen, k));
+        place.axes[n] = !unsaid[n];
+        if (place.axes[n]) coordinate(place.to, k) = said;
+        tells = tells || (unsaid[n] ? std::isfinite(coordinate(seen, k)) : !std::isfinite(coordinate(seen, k)));
     }
-    if (hidden) emit(run, place);
+    if (tells && place.axes != std::array<bool, 3>{}) emit(run, place);
 }
 
 }  // namespace
@@ -230,8 +237,10 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
         run.free_contour = {};
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
-        tell_place_in_frame(run);
+        tell_said(run);
+        const std::array<bool, 3> unsaid = run.unsaid_since_change;
         emit_line(run, cl::Linear{run.position, run.tool_axis, rapid});
+        run.unsaid_since_change = unsaid;
         return;
     }
     plane_element(run, straight_element(at, to, a), to, rapid);

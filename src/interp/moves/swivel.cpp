@@ -61,6 +61,8 @@ void swivel(Moving& run, bool keeps_tip, const Vec3& tip, const base::Span& wher
         stand_at(run, tip);
     else
         recount(run, before);
+    // Else nobody could tell both where the place is not known.
+    if (keeps_tip) emit(run, cl::MachinePlace{cl::PlaceKind::frame, 1, {true, true, true}, run.programmed_position});
     emit(run, cl::Linear{run.position, run.tool_axis, !run.block.has(Code::feed)});
 }
 

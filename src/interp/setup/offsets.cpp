@@ -73,6 +73,7 @@ void say_shift_from_before(Telling& run, Modal m) {
 
 /// G92: where the axis stands is `to` from now on. A machine whose place is not known stands there by definition.
 void becomes(Reckoning& run, std::size_t k, double to) {
+    if (k < run.unsaid_since_change.size()) run.unsaid_since_change[k] = false;
     const double at = axis_coordinate(run, k);
     if (!std::isnan(at)) {
         run.offsets.shift[k] += at - to;

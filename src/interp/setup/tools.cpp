@@ -38,6 +38,10 @@ void emit_tool(Telling& run, bool standing = false) {
     change.with_length = (!keeps_offsets(run) || (lathe && run.traits->edge_is_offset_number)) && run.tool.edge != 0;
     if (lathe && run.traits->edge_is_offset_number && run.tool.edge != cl::unknown_tool) change.offset = run.tool.edge;
     emit(run, change);
+    // Called again, with another length, it stays where it is. No word of lathes moves along Y.
+    std::pair<std::uint32_t, std::string> now{change.number, change.name};
+    if (!standing && now != run.changed_to) run.unsaid_since_change = {true, !lathe, true};
+    run.changed_to = std::move(now);
     judge_anew(run.offsets);
     take_tip(run);
     control_sets(run, {ControlValue::tool_axis});

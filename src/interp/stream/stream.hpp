@@ -76,6 +76,7 @@ void shape_feed(Telling&, const cl::Record& record);
 
 /// Hands a record to whoever takes the stream.
 inline void send(Telling& run, const cl::Record& record) {
+    if (cl::is_move(record.step)) run.unsaid_since_change = {};  // it leads on from where it ends
     run.sent = cl::position_after(run.sent, record.step);
     if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
