@@ -147,7 +147,8 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
     out.before = write::records_of(write::sample_begin(post, tool_radius));
     if (!has_reader) return out;
     const compare::Tolerance tolerance;
-    compare::Path wanted(tolerance.length), read(tolerance.length);
+    const bool by_axes = post.staircase.has_value();
+    compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     const WrittenSample written = write_sample(post, out.before, {}, false);
     take_wanted(wanted, post, written, out.before, {}, false);
     const auto run = read_again(post, written.text, read, false);
@@ -179,7 +180,8 @@ bool strip_unsaid(compare::Path& path, const write::Sample& sample) {
 void read_sample(const write::Post& post, const Around& a, const std::vector<cl::Record>& records,
                  const WrittenSample& written, bool ends, bool moves_known, TriedSample& t) {
     const compare::Tolerance tolerance;
-    compare::Path wanted(tolerance.length), read(tolerance.length);
+    const bool by_axes = post.staircase.has_value();
+    compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     take_wanted(wanted, post, written, a.before, records, ends);
     const bool turns_axes = std::any_of(records.begin(), records.end(),
                                         [](const cl::Record& r) { return std::holds_alternative<cl::Axis>(r.step); });
