@@ -83,10 +83,10 @@ enum class PlaceKind : std::uint8_t {
     coordinates,  ///< as the program says them (G53, SUPA, M91)
     home,         ///< a reference point (G28, G74)
     fixed,        ///< another place that the machine keeps (G75)
-    frame,        ///< none of the machine: in the frame in force, which is turned and hides what the program has said
+    frame,        ///< none of the machine: what the program has said in the frame in force
 };
 /// The next move leads to a place of the machine along these axes, however the workpiece lies. Of kind `frame`: to
-/// coordinates of the frame in force, of which those of the workpiece cannot be reckoned as one of them is not known.
+/// coordinates of the frame in force; the point on the workpiece does not tell which of them the program has said.
 struct MachinePlace {
     PlaceKind kind = PlaceKind::coordinates;
     std::uint8_t number = 1;       ///< of reference points and fixed ones: which

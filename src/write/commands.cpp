@@ -132,8 +132,6 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::plane_off, "frame", "plane-off", "frame.plane-off"},
     {Command::plane_turn, "frame", "plane-turn", "frame.plane-turn"},
     {Command::plane_turn_off, "frame", "plane-turn-off", "frame.plane-turn-off"},
-    {Command::plane_move, "frame", "plane-move", "frame.plane-move"},
-    {Command::plane_move_off, "frame", "plane-move-off", "frame.plane-move-off"},
     {Command::programmed, "frame", "programmed", "frame.programmed"},
     {Command::programmed_off, "frame", "programmed-off", "frame.programmed-off"},
 }};

@@ -133,8 +133,6 @@ enum class Command : std::uint8_t {
     plane_off,
     plane_turn,  ///< the rotary axes turn in the same block, the linear ones stand
     plane_turn_off,
-    plane_move,  ///< the same, and the tip stays where it is on the workpiece
-    plane_move_off,
     programmed,
     programmed_off,
     count,

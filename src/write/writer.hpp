@@ -175,6 +175,7 @@ private:
     void write_move(const cl::Step& step, const geom::Vec3& from);
     void write_way(const cl::Step& step, const geom::Vec3& from);
     void drop_standing_axes();
+    void print_straight(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek);
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
                     cl::Seek seek = cl::Seek::nothing);
     void write_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner = nullptr);
@@ -266,12 +267,13 @@ private:
     bool plain_ = false;                     ///< the tool's path stands in the place of a compensated contour
     bool tool_waits_ = false;
     Frames frames_;
-    /// How the rotary axes go where the block that tilts the plane turns them.
-    enum class Turning : std::uint8_t { none, axes_alone, keeps_tip };
-    Turning turning_ = Turning::none;
     std::map<std::array<char, 8>, double> axes_at_;  ///< where each stands, by the moves so far
-    bool turns_at_rapid_ = false;
-    bool has_turned_ = false;                  ///< the words of the plane have turned them
+    /// The rotary axes turn in the block that tilts the plane.
+    struct PlaneTurn {
+        bool rapid = false;
+        bool is_written = false;  ///< the words of the plane have done it
+    };
+    std::optional<PlaneTurn> plane_turn_;      ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
     std::string called_;                       ///< the last cycle without its place

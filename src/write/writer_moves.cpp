@@ -2,7 +2,6 @@
 #include <cmath>
 #include <utility>
 
-#include "write/samples.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
@@ -181,11 +180,15 @@ void Writer::drop_standing_axes() {
 
 void Writer::write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek) {
     end_cycles();
-    const geom::Vec3 p = frames_.programmed(to);
+    print_straight(frames_.programmed(to), rapid, corner, seek);
+}
+
+/// `to`: in the frame of the text; what is not known, or not to be said, has no word.
+void Writer::print_straight(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek) {
     values_.clear();
-    if (!std::isnan(p.x)) values_.set(Value::x, p.x);
-    if (!std::isnan(p.y)) values_.set(Value::y, p.y);
-    if (!std::isnan(p.z)) values_.set(Value::z, p.z);
+    if (!std::isnan(to.x)) values_.set(Value::x, to.x);
+    if (!std::isnan(to.y)) values_.set(Value::y, to.y);
+    if (!std::isnan(to.z)) values_.set(Value::z, to.z);
     drop_standing_axes();
     const Command command = straight_command(rapid, seek);
     if (!post_.has(command))
@@ -244,53 +247,6 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
     if (const auto* thread = std::get_if<cl::Thread>(&step)) return write_thread(*thread, from);
     if (const auto* spline = std::get_if<cl::Spline>(&step)) write_spline(*spline);
-}
-
-/// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
-Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
-    if (place.kind == cl::PlaceKind::fixed) return Command::machine_fixed;
-    if (place.kind == cl::PlaceKind::home) return place.number > 1 ? Command::machine_second : Command::machine_home;
-    const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
-    const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
-    return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
-}
-
-/// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
-bool Writer::write_place(const cl::Linear& line) {
-    if (!place_) return false;
-    const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
-    if (place.kind == cl::PlaceKind::frame) return write_said(line, place);
-    const Command command = place_command(place, line.rapid);
-    const bool said = place.kind != cl::PlaceKind::coordinates;
-    const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
-    bool known = true;
-    for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
-    if (!post_.has(command) || !known) {
-        const geom::Vec3 p = line.to;
-        const std::string why =
-            place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command)) : "";
-        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine" + why);
-        return !geom::is_finite(p);
-    }
-    end_cycles();
-    end_compensation_alone(Urgency::may_wait);
-    if (length_waits_ && command != Command::machine_home) write_all();
-    constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
-    values_.clear();
-    for (std::size_t k = 0; k < 3; ++k)
-        if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
-    values_.set(Value::number, place.number);
-    if (const std::uint32_t edge = cursor_.state().change.edge; edge != 0) values_.set(Value::edge, edge);
-    const std::uint64_t at = layout_.next();
-    Parts parts = parts_of(line.rapid, nullptr);
-    if (has_part(post_[command], Part::axes)) take_axes(parts, place.kind == cl::PlaceKind::home);
-    const Printed printed = put(command, parts, "a move to a place of the machine");
-    if (printed == Printed::all || printed == Printed::nothing)
-        note(Fate::mapped, "a move to a place of the machine", at);
-    else if (printed == Printed::failed)
-        note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
-    printer_.forget_coordinates();
-    return true;
 }
 
 /// A word of taps that says the way back leads to where they began.

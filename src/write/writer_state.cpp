@@ -7,11 +7,7 @@
 
 namespace obrys::write {
 
-namespace {
-
-constexpr std::string_view frame_table = "frame.";  ///< of the names of its commands
-
-}  // namespace
+namespace {}  // namespace
 
 void Writer::write_state() {
     if (tool_waits_) write_tool();
@@ -224,33 +220,6 @@ void Writer::write_datum() {
     // One zero alone may be the one that is in force on the control; of several, the others are lost.
     if (datum.number != none_selected)
         note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
-}
-
-void Writer::write_frame() {
-    const About about(*this, Topic::frame);
-    const cl::Frame& wanted = cursor_.state().frame;
-    if (wanted.parts == frames_.parts()) return;
-    const bool expanded = std::all_of(frames_.parts().begin(), frames_.parts().end(),
-                                      [](const cl::FramePart& p) { return p.kind == cl::FrameKind::datum; });
-    if (expanded && frames_refused_ == wanted) return;
-    end_cycles();
-    end_compensation_alone(Urgency::may_wait);
-    printer_.forget_coordinates();
-    auto steps = frames_.lead_to(wanted, post_);
-    if (!steps) {
-        steps = frames_.clear(wanted, post_);
-        if (!(frames_refused_ == wanted))
-            note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");
-        frames_refused_ = wanted;
-    }
-    for (const FrameStep& step : *steps) {
-        values_.clear();
-        static_cast<void>(frame_values(step.part, values_));
-        const auto turning = &step == &steps->back() ? turning_form(step.command) : std::nullopt;
-        const Command command = turning.value_or(step.command);
-        const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
-        has_turned_ = print(command, what, turning && turns_at_rapid_) && turning;
-    }
 }
 
 void Writer::write_spindle() {

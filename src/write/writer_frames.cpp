@@ -1,0 +1,162 @@
+/// What coordinates count in: frames, tilted planes whose block turns the rotary axes (PLANE ... TURN), the machine.
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "write/samples.hpp"
+#include "write/writer.hpp"
+
+namespace obrys::write {
+
+namespace {
+
+const cl::FramePart* plane_of(const std::vector<cl::FramePart>& parts) {
+    const auto at =
+        std::find_if(parts.begin(), parts.end(), [](const cl::FramePart& p) { return p.kind == cl::FrameKind::plane; });
+    return at == parts.end() ? nullptr : &*at;
+}
+
+bool is_same_plane(const cl::FramePart* a, const cl::FramePart* b) {
+    return a == nullptr || b == nullptr ? a == b : *a == *b;
+}
+
+constexpr std::string_view frame_table = "frame.";  ///< of the names of its commands
+
+}  // namespace
+
+/// Whether an axis of the next move stands elsewhere yet, or nobody knows where.
+bool Writer::take_places_of_axes() {
+    bool any = false;
+    for (const cl::Axis& axis : axes_) {
+        const auto [at, is_new] = axes_at_.try_emplace(axis.name, axis.to);
+        any = any || is_new || !(std::abs(at->second - axis.to) <= 1e-9);
+        at->second = axis.to;
+    }
+    return any;
+}
+
+/// The block that changes the plane is the one that moves the axes.
+bool Writer::turns_with_plane(const cl::Step& step) const {
+    if (!std::holds_alternative<cl::Linear>(step) || axes_.empty() || place_ || now_ == nullptr) return false;
+    const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
+    return !(block == Source{}) && block == Source{now_->from, now_->stack} &&
+           !is_same_plane(plane_of(cursor_.state().frame.parts), plane_of(frames_.parts()));
+}
+
+/// Writes the plane with the turn of its axes; false where the post cannot, and the move is yet to be written.
+bool Writer::write_turn(const cl::Linear& line) {
+    plane_turn_ = PlaneTurn{line.rapid};
+    write_state();
+    if (!std::exchange(plane_turn_, std::nullopt)->is_written) return false;
+    axes_.clear();
+    pointed_ = line.axis;
+    return true;
+}
+
+/// The command that does the same and turns the axes, where they turn now.
+std::optional<Command> Writer::turning_form(Command plain) const {
+    if (!plane_turn_) return std::nullopt;
+    std::optional<Command> form;
+    if (plain == Command::plane) form = Command::plane_turn;
+    if (plain == Command::plane_off) form = Command::plane_turn_off;
+    return form && post_.has(*form) ? form : std::nullopt;
+}
+
+void Writer::write_frame() {
+    const About about(*this, Topic::frame);
+    const cl::Frame& wanted = cursor_.state().frame;
+    if (wanted.parts == frames_.parts()) return;
+    const bool expanded = std::all_of(frames_.parts().begin(), frames_.parts().end(),
+                                      [](const cl::FramePart& p) { return p.kind == cl::FrameKind::datum; });
+    if (expanded && frames_refused_ == wanted) return;
+    end_cycles();
+    end_compensation_alone(Urgency::may_wait);
+    printer_.forget_coordinates();
+    auto steps = frames_.lead_to(wanted, post_);
+    if (!steps) {
+        steps = frames_.clear(wanted, post_);
+        if (!(frames_refused_ == wanted))
+            note(Fate::expanded, "a frame: coordinates are those of the workpiece from here on");
+        frames_refused_ = wanted;
+    }
+    for (const FrameStep& step : *steps) {
+        values_.clear();
+        static_cast<void>(frame_values(step.part, values_));
+        const auto turning = &step == &steps->back() ? turning_form(step.command) : std::nullopt;
+        const Command command = turning.value_or(step.command);
+        const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
+        const bool printed = print(command, what, turning && plane_turn_->rapid);
+        if (turning) plane_turn_->is_written = printed;
+    }
+}
+
+/// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
+Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
+    if (place.kind == cl::PlaceKind::fixed) return Command::machine_fixed;
+    if (place.kind == cl::PlaceKind::home) return place.number > 1 ? Command::machine_second : Command::machine_home;
+    const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
+    const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
+    return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
+}
+
+/// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
+bool Writer::write_place(const cl::Linear& line) {
+    if (!place_) return false;
+    const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
+    if (place.kind == cl::PlaceKind::frame) return write_said(line, place);
+    const Command command = place_command(place, line.rapid);
+    const bool said = place.kind != cl::PlaceKind::coordinates;
+    const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
+    bool known = true;
+    for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
+    if (!post_.has(command) || !known) {
+        const geom::Vec3 p = line.to;
+        const std::string why =
+            place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command)) : "";
+        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine" + why);
+        return !geom::is_finite(p);
+    }
+    end_cycles();
+    end_compensation_alone(Urgency::may_wait);
+    if (length_waits_ && command != Command::machine_home) write_all();
+    constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
+    values_.clear();
+    for (std::size_t k = 0; k < 3; ++k)
+        if (place.axes[k]) values_.set(names[k], said ? 0 : to[k]);
+    values_.set(Value::number, place.number);
+    if (const std::uint32_t edge = cursor_.state().change.edge; edge != 0) values_.set(Value::edge, edge);
+    const std::uint64_t at = layout_.next();
+    Parts parts = parts_of(line.rapid, nullptr);
+    if (has_part(post_[command], Part::axes)) take_axes(parts, place.kind == cl::PlaceKind::home);
+    const Printed printed = put(command, parts, "a move to a place of the machine");
+    if (printed == Printed::all || printed == Printed::nothing)
+        note(Fate::mapped, "a move to a place of the machine", at);
+    else if (printed == Printed::failed)
+        note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
+    printer_.forget_coordinates();
+    return true;
+}
+
+/// What the program has said: of the other axes nobody knows where they stand, or the machine has taken them elsewhere.
+/// False where the frame is another one in the text: the point on the workpiece is written.
+bool Writer::write_said(const cl::Linear& line, const cl::MachinePlace& place) {
+    if (!(frames_.parts() == cursor_.state().frame.parts)) {
+        if (geom::is_finite(line.to)) return false;
+        note(Fate::lost, "a move to a coordinate that is not known");
+        return true;
+    }
+    const std::array said{place.to.x, place.to.y, place.to.z};
+    for (std::size_t k = 0; k < said.size(); ++k)
+        if (place.axes[k] && !std::isfinite(said[k])) {
+            note(Fate::lost, "that the tip stays where it is while the axes turn");
+            return true;
+        }
+    end_cycles();
+    note_direction(line.axis);
+    if (length_waits_ && !has_part(post_[line.rapid ? Command::rapid : Command::linear], Part::length)) write_all();
+    print_straight(place.to, line.rapid, nullptr, cl::Seek::nothing);
+    return true;
+}
+
+}  // namespace obrys::write
