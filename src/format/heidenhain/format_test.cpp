@@ -134,6 +134,11 @@ TEST(Format, iso_blocks) {
               "N50 Q5 = Q1 * 2 *\nN60 L1,5 * ;call\nN70 G54 X10 FOO*\n;c\nN80 %SUB *\nN99999999 %P G71 *\n");
 }
 
+TEST(Format, iso_letter_away_from_its_number_stays_there) {  // `M 3` is no M3: written so the spindle would start
+    EXPECT_EQ(iso("%P G71 *\nN5 G0 g40 x1 M 3*\nN6 M 3 *\nN7 T 5 G17 *\n"),
+              "%P G71 *\nN5 G0 g40 x1 M 3*\nN6 M 3 *\nN7 T 5 G17 *\n");
+}
+
 TEST(Format, iso_beginning_without_its_unit_is_no_block) {  // numbered it would be a call of a program
     EXPECT_EQ(iso("%P Q201=-5 *  \n%P G71 *\nN7 G0 x1 *\n"), "%P Q201=-5 *\n%P G71 *\nN10 G0 X+1 *\n");
     EXPECT_EQ(iso("sent by  DNC \n %P\nG0 x1 *\n"), "sent by  DNC\n %P\nN10 G0 X+1 *\n");

@@ -49,7 +49,9 @@ bool iso_word(Scan& in, std::string& word) {
         return in.value(word, Sign::as_written);
     }
     if (std::string_view("GMTLDP").find(c) == std::string_view::npos) return false;
-    if ((c == 'G' || c == 'D') && !is_digit(in.peek(1))) return false;  // glued together it could mean another block
+    // A letter away from its number is no word here (`M 3`); glued together it would say what was not read.
+    const char behind = in.peek(1);
+    if (base::is_blank(behind) || ((c == 'G' || c == 'D') && !is_digit(behind))) return false;
     Scan fixed(in.rest(), Decimal::keep);                               // L1,5 names a label and how often
     fixed.step();
     word = c;
