@@ -136,7 +136,7 @@ TEST(Format, iso_blocks) {
 
 TEST(Format, iso_letter_away_from_its_number_stays_there) {  // `M 3` is no M3: written so the spindle would start
     EXPECT_EQ(iso("%P G71 *\nN5 G0 g40 x1 M 3*\nN6 M 3 *\nN7 T 5 G17 *\n"),
-              "%P G71 *\nN5 G0 g40 x1 M 3*\nN6 M 3 *\nN7 T 5 G17 *\n");
+              "%P G71 *\nN10 G0 g40 x1 M 3*\nN20 M 3 *\nN30 T 5 G17 *\n");
 }
 
 TEST(Format, iso_beginning_without_its_unit_is_no_block) {  // numbered it would be a call of a program
