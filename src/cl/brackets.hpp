@@ -8,6 +8,7 @@
 
 #include "base/shared_value.hpp"
 #include "cl/cycle.hpp"
+#include "cl/moves.hpp"
 #include "geom/frame.hpp"
 #include "geom/vec.hpp"
 
@@ -90,6 +91,7 @@ struct Programmed {
     Corner corner = Corner::none;  ///< at its end
     double size = 0;               ///< of that, mm in the programmed frame
     double corner_feed = 0;        ///< of that alone (FRC, RND F), as Feed counts it; 0: none of its own
+    AxisEnds ends{};
     bool operator==(const Programmed&) const = default;
 };
 

@@ -297,6 +297,13 @@ void CanonWriter::operator()(const Record& r) {
     print(r);
 }
 
+void CanonWriter::take(const AxisEnds& ends) {
+    for (const AxisEnd& end : ends) {
+        const auto k = std::string_view("XYZABCUVW").find(end.name[0]);
+        if (k != std::string_view::npos && end.name[1] == 0) stream_[k] = end.to;
+    }
+}
+
 void CanonWriter::print(const Record& r) {
     if (is_move(r.step)) at_ = position_after(at_, r.step), moved_ = {};
     const std::string n = block_number_(r.from);
@@ -305,15 +312,12 @@ void CanonWriter::print(const Record& r) {
     if (const auto* o = std::get_if<Output>(&r.step)) return output(*o);
     if (const auto* o = std::get_if<Override>(&r.step)) return allow(*o);
     if (!begun_ && lines_ > 0) begin();
+    if (const AxisEnds* ends = ends_of(r.step)) take(*ends);
     if (const auto* l = std::get_if<Linear>(&r.step)) return line(*l);
     if (const auto* a = std::get_if<Arc>(&r.step)) return arc(*a);
     if (const auto* t = std::get_if<Thread>(&r.step)) return thread(*t);
     if (const auto* s = std::get_if<Stop>(&r.step)) return stop(*s);
     if (const auto* d = std::get_if<Dwell>(&r.step)) call(text("DWELL(%.4f)", d->seconds));
-    if (const auto* axis = std::get_if<Axis>(&r.step)) {
-        const auto k = std::string_view("XYZABCUVW").find(axis->name[0]);
-        if (k != std::string_view::npos && axis->name[1] == 0) stream_[k] = axis->to;
-    }
     if (const auto* c = std::get_if<Comment>(&r.step)) {
         if (c->terminal)
             out_(c->text + "\n");

@@ -31,6 +31,7 @@ private:
     [[nodiscard]] bool only_leads(const Linear& l) const;
     void call(std::string text);
     void begin();
+    void take(const AxisEnds& ends);
     void setting(const Setting& s);
     void output(const Output& o);
     void allow(const Override& o);

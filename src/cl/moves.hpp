@@ -20,12 +20,26 @@ enum class Seek : std::uint8_t {
     release_or_end,  ///< G38.5
 };
 
+/// Where an additional axis stands at the end of a move (rotary: degrees; linear: mm).
+struct AxisEnd {
+    std::array<char, 8> name{};  ///< as the control names it ("C", "C2"), zero-padded
+    double to = 0;
+    bool rotary = false;
+    /// The control counts where this rotary axis stands (tilted working plane): points stay in the workpiece frame.
+    /// Else points are in the machine's directions, as though the axis stood at 0.
+    bool counted = false;
+    bool operator==(const AxisEnd&) const = default;
+};
+/// Of those axes that a move takes along; the others stand where they stood.
+using AxisEnds = std::vector<AxisEnd>;
+
 /// Straight move; `axis` is the unit vector along the tool, from the tip into the holder.
 struct Linear {
     geom::Vec3 to;
     geom::Vec3 axis{0, 0, 1};
     bool rapid = false;
     Seek seek = Seek::nothing;
+    AxisEnds ends{};
     bool operator==(const Linear&) const = default;
 };
 
@@ -37,6 +51,8 @@ struct Arc {
     geom::Vec3 normal{0, 0, 1};
     double sweep = 0;
     bool rapid = false;
+    geom::Vec3 axis{0, 0, 1};  ///< as of Linear, at the end
+    AxisEnds ends{};
     bool operator==(const Arc&) const = default;
 };
 
@@ -55,18 +71,8 @@ struct Spline {
     geom::Vec3 k1, k2, k3;
     geom::Vec3 axis{0, 0, 1};      ///< as of Linear, at the end
     std::vector<SplineAxis> axes;  ///< at most two
+    AxisEnds ends{};               ///< of further ones
     bool operator==(const Spline&) const = default;
-};
-
-/// Position that an additional axis (rotary: degrees; linear: mm) reaches with the next Linear or Arc.
-struct Axis {
-    std::array<char, 8> name{};  ///< as the control names it ("C", "C2"), zero-padded
-    double to = 0;
-    bool rotary = false;
-    /// The control counts where this rotary axis stands (tilted working plane): points stay in the workpiece frame.
-    /// Else points are in the machine's directions, as though the axis stood at 0.
-    bool counted = false;
-    bool operator==(const Axis&) const = default;
 };
 
 /// Synchronised thread pass: moves like Linear, spindle and axis coupled.
@@ -76,6 +82,8 @@ struct Thread {
     bool rigid_tap = false;
     double start = 0;   ///< degrees of the spindle at which the pass begins (SF, Q of G32): starts of several threads
     double change = 0;  ///< of the pitch with every revolution, mm (G34, G35 of SINUMERIK; K of FANUC's)
+    geom::Vec3 axis{0, 0, 1};  ///< as of Linear
+    AxisEnds ends{};
     bool operator==(const Thread&) const = default;
 };
 

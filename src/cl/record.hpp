@@ -4,6 +4,7 @@
 /// (the point the control moves). On lathes x is a radius. A coordinate that is not known yet is NaN.
 
 #include <cstdint>
+#include <utility>
 #include <variant>
 
 #include "base/function_ref.hpp"
@@ -17,10 +18,10 @@
 namespace obrys::cl {
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
-using Step = std::variant<Linear, Arc, Spline, Axis, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange,
-                          ToolSelection, ToolData, DatumData, ToolLength, Coolant, Stop, Comment, Datum, Frame,
-                          Tolerance, PathMode, Auxiliary, Output, Override, Setting, CycleBegin, CycleEnd, PartBegin,
-                          PartEnd, CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
+using Step = std::variant<Linear, Arc, Spline, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolSelection,
+                          ToolData, DatumData, ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, PathMode,
+                          Auxiliary, Output, Override, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd,
+                          CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;
@@ -37,6 +38,23 @@ using Sink = base::FunctionRef<void(const Record&)>;
 [[nodiscard]] inline bool is_move(const Step& s) {
     return std::holds_alternative<Linear>(s) || std::holds_alternative<Arc>(s) || std::holds_alternative<Spline>(s) ||
            std::holds_alternative<Thread>(s);
+}
+/// Where the additional axes stand that a move takes along; null: no move.
+[[nodiscard]] inline const AxisEnds* ends_of(const Step& s) {
+    if (const auto* linear = std::get_if<Linear>(&s)) return &linear->ends;
+    if (const auto* arc = std::get_if<Arc>(&s)) return &arc->ends;
+    if (const auto* spline = std::get_if<Spline>(&s)) return &spline->ends;
+    const auto* thread = std::get_if<Thread>(&s);
+    return thread != nullptr ? &thread->ends : nullptr;
+}
+[[nodiscard]] inline AxisEnds* ends_of(Step& s) { return const_cast<AxisEnds*>(ends_of(std::as_const(s))); }
+/// How the tool stands at the end of a move: the unit vector from the tip into the holder. None of what is no move.
+[[nodiscard]] inline const geom::Vec3* tool_axis_of(const Step& s) {
+    if (const auto* linear = std::get_if<Linear>(&s)) return &linear->axis;
+    if (const auto* arc = std::get_if<Arc>(&s)) return &arc->axis;
+    if (const auto* spline = std::get_if<Spline>(&s)) return &spline->axis;
+    const auto* thread = std::get_if<Thread>(&s);
+    return thread != nullptr ? &thread->axis : nullptr;
 }
 [[nodiscard]] inline bool is_rapid(const Step& s) {
     if (const auto* arc = std::get_if<Arc>(&s)) return arc->rapid;

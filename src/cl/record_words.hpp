@@ -26,7 +26,7 @@ inline constexpr std::string_view head<Arc> = "arc";
 template <>
 inline constexpr std::string_view head<Spline> = "spline";
 template <>
-inline constexpr std::string_view head<Axis> = "axis";
+inline constexpr std::string_view head<AxisEnd> = "axis";
 template <>
 inline constexpr std::string_view head<MachinePlace> = "machine";
 template <>

@@ -2,6 +2,7 @@
 
 #include <cstring>
 #include <type_traits>
+#include <utility>
 
 namespace obrys::cl {
 
@@ -34,7 +35,37 @@ std::byte* put_head(std::byte* at, const Record& record, std::uint8_t kind) {
 
 bool is_as(const Linear& line, const Linear& last) {
     const bool as_turned = std::memcmp(&line.axis, &last.axis, sizeof line.axis) == 0;  // NaN and -0 as they are
-    return as_turned && line.rapid == last.rapid && line.seek == last.seek;
+    return as_turned && line.rapid == last.rapid && line.seek == last.seek && line.ends.empty();
+}
+
+template <class T>
+inline constexpr bool is_line = std::is_same_v<std::remove_const_t<T>, Linear>;
+template <class T>
+inline constexpr bool is_arc = std::is_same_v<std::remove_const_t<T>, Arc>;
+template <class T>
+inline constexpr bool is_thread = std::is_same_v<std::remove_const_t<T>, Thread>;
+
+/// Records that are kept by their bytes: plain memory, and moves that take no axis along.
+template <class T>
+inline constexpr bool is_kept_small =
+    is_line<T> || is_arc<T> || is_thread<T> || (std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(Arc));
+
+/// Calls `f` with what is kept of a record.
+template <class T, class F>
+void each_kept(T& of, F f) {
+    if constexpr (is_line<T>)
+        f(of.to), f(of.axis), f(of.rapid), f(of.seek);
+    else if constexpr (is_arc<T>)
+        f(of.to), f(of.centre), f(of.normal), f(of.sweep), f(of.rapid), f(of.axis);
+    else if constexpr (is_thread<T>)
+        f(of.to), f(of.pitch), f(of.rigid_tap), f(of.start), f(of.change), f(of.axis);
+    else
+        f(of);
+}
+
+bool takes_none_along(const Step& step) {
+    const AxisEnds* ends = ends_of(step);
+    return ends == nullptr || ends->empty();
 }
 
 /// The alternative `kind` of a step, from its bytes.
@@ -45,10 +76,10 @@ const std::byte* get_step(const std::byte* at, std::uint8_t kind, Step& step) {
     } else {
         using T = std::variant_alternative_t<I, Step>;
         if (kind != I) return get_step<I + 1>(at, kind, step);
-        if constexpr (std::is_trivially_copyable_v<T>) {
-            T value;
-            at = get(at, value);
-            step = value;
+        if constexpr (is_kept_small<T>) {
+            T value{};
+            each_kept(value, [&at](auto& field) { at = get(at, field); });
+            step = std::move(value);
         }
         return at;
     }
@@ -70,7 +101,7 @@ void Recording::take(const Record& record) {
     ++size_;
     if (const auto* line = std::get_if<Linear>(&record.step)) {
         const bool as_last = is_as(*line, line_);
-        line_ = *line;
+        if (line->ends.empty()) line_ = *line;
         if (as_last) {
             put(put_head(room(head_size + sizeof line->to), record, leads_elsewhere), line->to);
             return;
@@ -79,13 +110,16 @@ void Recording::take(const Record& record) {
     std::visit(
         [&](const auto& step) {
             using T = std::decay_t<decltype(step)>;
-            if constexpr (std::is_trivially_copyable_v<T> && sizeof(T) <= sizeof(Arc)) {
-                const auto kind = static_cast<std::uint8_t>(record.step.index());
-                put(put_head(room(head_size + sizeof step), record, kind), step);
-            } else {
-                put_head(room(head_size), record, stands_whole);
-                whole_.push_back(record);
+            if constexpr (is_kept_small<T>) {
+                if (takes_none_along(record.step)) {
+                    std::size_t size = head_size;
+                    each_kept(step, [&size](const auto& field) { size += sizeof field; });
+                    std::byte* at = put_head(room(size), record, static_cast<std::uint8_t>(record.step.index()));
+                    return each_kept(step, [&at](const auto& field) { at = put(at, field); });
+                }
             }
+            put_head(room(head_size), record, stands_whole);
+            whole_.push_back(record);
         },
         record.step);
 }

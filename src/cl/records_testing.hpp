@@ -107,12 +107,17 @@ inline LeadBegin any_lead() {
 
 std::optional<double> perhaps() { return *rc::gen::arbitrary<bool>() ? std::optional(number()) : std::nullopt; }
 
+inline AxisEnds ends() {
+    AxisEnds out(*rc::gen::inRange<std::size_t>(0, 3));
+    for (AxisEnd& end : out) end = {axis_name(), number(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+    return out;
+}
+
 inline Step any_step(std::size_t kind) {
     switch (kind) {
-        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>(), any_of(Seek::release_or_end)};
-        case 1: return Arc{vec(), vec(), vec(), number(), *rc::gen::arbitrary<bool>()};
-        case 2: return Axis{axis_name(), number(), *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
-        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>(), number(), number()};
+        case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>(), any_of(Seek::release_or_end), ends()};
+        case 1: return Arc{vec(), vec(), vec(), number(), *rc::gen::arbitrary<bool>(), vec(), ends()};
+        case 3: return Thread{vec(), number(), *rc::gen::arbitrary<bool>(), number(), number(), vec(), ends()};
         case 4: return Dwell{number(), number()};
         case 5:
             return Feed{number(), *rc::gen::element(FeedMode::per_minute, FeedMode::per_rev, FeedMode::inverse_time)};
@@ -180,7 +185,7 @@ inline Step any_step(std::size_t kind) {
         case 32:
             return Output{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<bool>(), number(),
                           *rc::gen::arbitrary<bool>()};
-        case 33: return Override{any_of(OverrideKind::feed_hold), *rc::gen::arbitrary<bool>()};
+        case 2: return Override{any_of(OverrideKind::feed_hold), *rc::gen::arbitrary<bool>()};
         default: return CycleEnd{};
     }
 }

@@ -34,6 +34,8 @@ inline constexpr std::array<std::string_view, 4> sought{"contact", "contact-or-e
 /// The record as one line without its line end. Numbers are the shortest that read back to the same double.
 void append_text(std::string& out, const Record& record);
 [[nodiscard]] std::string to_text(const Record& record);
+/// `axis "C" 90 deg`, as it stands before a move.
+[[nodiscard]] std::string to_text(const AxisEnd& axis);
 /// Header and all records, each line ended by a newline.
 [[nodiscard]] std::string to_text(const std::vector<Record>& records);
 
@@ -58,12 +60,15 @@ public:
 
 private:
     void complain(std::size_t begin, std::size_t end, std::string message);
+    void hand_on(Record& record, Sink sink);
 
     const base::Sources& sources_;
     base::Diagnostics& diagnostics_;
     std::uint32_t file_;
     std::size_t at_ = 0;
     bool header_ = false;
+    AxisEnds ends_;                                  ///< of the next move
+    std::pair<std::size_t, std::size_t> last_axis_;  ///< line of the last of them
 };
 
 /// Reads a text, record by record. A line that cannot be read is a `syntax` diagnostic at its first wrong word and is

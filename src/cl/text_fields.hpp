@@ -39,6 +39,12 @@ void affine_fields(Io& io, Of<Io, geom::Frame>& frame) {
     for (auto& v : frame.linear) io.number(v);
 }
 
+/// The axes of the lines before that of a record.
+[[nodiscard]] inline const AxisEnds* ends_before(const Step& s) {
+    const auto* programmed = std::get_if<Programmed>(&s);
+    return programmed != nullptr ? &programmed->ends : ends_of(s);
+}
+
 // --- moves; whether they are rapid stands in the first word of a straight one
 template <class Io>
 void fields(Io& io, Of<Io, Linear>& s) {
@@ -54,6 +60,7 @@ void fields(Io& io, Of<Io, Arc>& s) {
     io.word("centre");
     circle_fields(io, s);
     io.flag("rapid", s.rapid);
+    io.vector("axis", s.axis, {0, 0, 1});
 }
 template <class Io>
 void fields(Io& io, Of<Io, SplineAxis>& a) {
@@ -74,7 +81,7 @@ void fields(Io& io, Of<Io, Spline>& s) {
     io.each_text(s.axes, [&](auto& a) { fields(io, a); });
 }
 template <class Io>
-void fields(Io& io, Of<Io, Axis>& s) {
+void fields(Io& io, Of<Io, AxisEnd>& s) {
     io.axis_name(s.name);
     io.number(s.to);
     io.choice(axis_units, s.rotary);
@@ -88,6 +95,7 @@ void fields(Io& io, Of<Io, Thread>& s) {
     io.flag("tap", s.rigid_tap);
     io.value("start", s.start);
     io.value("change", s.change);
+    io.vector("axis", s.axis, {0, 0, 1});
 }
 template <class Io>
 void fields(Io& io, Of<Io, MachinePlace>& s) {

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -133,6 +134,15 @@ std::optional<Step> begun(std::string_view word, const std::variant<Records...>*
     return found;
 }
 
+/// The line before a move that says where an axis stands at its end.
+AxisEnd axis_end(Words& w) {
+    w.word();
+    AxisEnd axis;
+    Reading reading(w);
+    fields(reading, axis);
+    return axis;
+}
+
 std::optional<Step> step(Words& w) {
     const std::string_view word = w.word();
     std::optional<Step> s = begun(word, static_cast<const Step*>(nullptr));
@@ -171,7 +181,11 @@ void TextReader::complain(std::size_t begin, std::size_t end, std::string messag
 
 bool TextReader::step(Sink sink) {
     const std::string_view text = sources_[file_].text;
-    if (at_ >= text.size()) return false;
+    if (at_ >= text.size()) {
+        if (!std::exchange(ends_, {}).empty())
+            complain(last_axis_.first, last_axis_.second, "no move follows that takes this axis along");
+        return false;
+    }
     const std::size_t begin = at_, newline = std::min(text.find('\n', begin), text.size());
     at_ = newline + 1;
     std::string_view line = text.substr(begin, newline - begin);
@@ -186,13 +200,26 @@ bool TextReader::step(Sink sink) {
     }
     Words words(line);
     Record record;
-    if (std::optional<Step> s = cl::step(words)) record.step = std::move(*s);
+    const bool is_axis = words.peek() == head<AxisEnd>;
+    AxisEnd end;
+    if (is_axis)
+        end = axis_end(words);
+    else if (std::optional<Step> s = cl::step(words))
+        record.step = std::move(*s);
     origin(words, record);
-    if (words.ok())
-        sink(record);
-    else
+    if (!words.ok())
         complain(begin + words.wrong_begin(), begin + words.wrong_end(), words.message());
+    else if (is_axis)
+        ends_.push_back(end), last_axis_ = {begin, begin + line.size()};
+    else
+        hand_on(record, sink);
     return true;
+}
+
+/// A move takes along the axes of the lines before it.
+void TextReader::hand_on(Record& record, Sink sink) {
+    if (const AxisEnds* ends = ends_before(record.step)) const_cast<AxisEnds&>(*ends) = std::exchange(ends_, {});
+    sink(record);
 }
 
 void read_text(const base::Sources& sources, std::uint32_t file, Sink sink, base::Diagnostics& diagnostics) {

@@ -25,16 +25,22 @@ void mark(geom::Frame& f) {
     mark(f.origin);
     for (double& v : f.linear) mark(v);
 }
+void mark(AxisEnds& ends) {
+    for (AxisEnd& end : ends) mark(end.to);
+}
 struct Mark {
-    void operator()(Linear& s) const { mark(s.to), mark(s.axis); }
-    void operator()(Arc& s) const { mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep); }
+    void operator()(Linear& s) const { mark(s.to), mark(s.axis), mark(s.ends); }
+    void operator()(Arc& s) const {
+        mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep), mark(s.axis), mark(s.ends);
+    }
     void operator()(Spline& s) const {
-        mark(s.to), mark(s.k1), mark(s.k2), mark(s.k3), mark(s.axis);
+        mark(s.to), mark(s.k1), mark(s.k2), mark(s.k3), mark(s.axis), mark(s.ends);
         for (SplineAxis& a : s.axes) mark(a.to), mark(a.k1), mark(a.k2), mark(a.k3);
     }
     void operator()(Tolerance& s) const { mark(s.contour), mark(s.rotary); }
-    void operator()(Axis& s) const { mark(s.to); }
-    void operator()(Thread& s) const { mark(s.to), mark(s.pitch), mark(s.start), mark(s.change); }
+    void operator()(Thread& s) const {
+        mark(s.to), mark(s.pitch), mark(s.start), mark(s.change), mark(s.axis), mark(s.ends);
+    }
     void operator()(Output& s) const { mark(s.value); }
     void operator()(Dwell& s) const { mark(s.seconds), mark(s.revolutions); }
     void operator()(Feed& s) const { mark(s.value); }

@@ -130,19 +130,37 @@ std::string_view head_of(const PartBegin& s) {
     return s.kind == PartKind::label ? "label" : s.kind == PartKind::repetition ? "repeat" : head<PartBegin>;
 }
 
-}  // namespace
-
-void append_text(std::string& out, const Record& record) {
-    std::visit(
-        [&](const auto& step) {
-            out += head_of(step);
-            Line line(out);
-            fields(line, step);
-        },
-        record.step);
+void append_origin(std::string& out, const Record& record) {
     out += " @" + std::to_string(record.from.file) + ':' + std::to_string(record.from.begin) + '-' +
            std::to_string(record.from.end);
     if (record.stack != 0) out += " ^" + std::to_string(record.stack);
+}
+
+template <class T>
+void append_fields(std::string& out, const T& of) {
+    out += head_of(of);
+    Line line(out);
+    fields(line, of);
+}
+
+}  // namespace
+
+/// The axes that a move takes along stand in lines before its own.
+void append_text(std::string& out, const Record& record) {
+    const AxisEnds* ends = ends_before(record.step);
+    for (std::size_t i = 0; ends != nullptr && i < ends->size(); ++i) {
+        append_fields(out, (*ends)[i]);
+        append_origin(out, record);
+        out += '\n';
+    }
+    std::visit([&](const auto& step) { append_fields(out, step); }, record.step);
+    append_origin(out, record);
+}
+
+std::string to_text(const AxisEnd& axis) {
+    std::string out;
+    append_fields(out, axis);
+    return out;
 }
 
 std::string to_text(const Record& record) {

@@ -30,6 +30,7 @@ void Verifier::complain(const Record& record, std::string_view code, std::string
 }
 
 void Verifier::operator()(const Record& record) {
+    if (const AxisEnds* ends = ends_of(record.step)) check(record, *ends);
     std::visit([&](const auto& step) { check(record, step); }, record.step);
     position_ = position_after(position_, record.step);
 }
@@ -57,6 +58,7 @@ void Verifier::check(const Record& r, const Arc& s) {
     if (infinite(s.to) || infinite(s.centre) || !std::isfinite(s.sweep))
         return complain(r, base::codes::value_range, "arc with a value that is not finite");
     if (!is_unit(s.normal)) return complain(r, base::codes::value_range, "normal of the arc is not a unit vector");
+    if (!is_unit(s.axis)) complain(r, base::codes::value_range, "tool axis is not a unit vector");
     if (s.sweep == 0) return complain(r, base::codes::value_range, "arc without sweep");
     if (!is_finite(position_) || !is_finite(s.to) || !is_finite(s.centre)) return;
     const geom::Vec3 a = in_plane(position_ - s.centre, s.normal), b = in_plane(s.to - s.centre, s.normal);
@@ -92,13 +94,16 @@ void Verifier::check(const Record& r, const Spline& s) {
                  "the spline starts " + base::fixed(gap, 4) + " mm beside the end of the last move");
 }
 
-void Verifier::check(const Record& r, const Axis& s) {
-    if (s.name[0] == 0) complain(r, base::codes::value_range, "axis without a name");
-    if (std::isinf(s.to)) complain(r, base::codes::value_range, "axis position is not finite");
+void Verifier::check(const Record& r, const AxisEnds& ends) {
+    for (const AxisEnd& end : ends) {
+        if (end.name[0] == 0) complain(r, base::codes::value_range, "axis without a name");
+        if (std::isinf(end.to)) complain(r, base::codes::value_range, "axis position is not finite");
+    }
 }
 
 void Verifier::check(const Record& r, const Thread& s) {
     if (infinite(s.to)) complain(r, base::codes::value_range, "end point is not finite");
+    if (!is_unit(s.axis)) complain(r, base::codes::value_range, "tool axis is not a unit vector");
     if (std::isinf(s.pitch) || s.pitch == 0) complain(r, base::codes::value_range, "thread without pitch");
     if (std::isinf(s.start) || std::isinf(s.change))
         complain(r, base::codes::value_range, "start or change of pitch of a thread is not finite");

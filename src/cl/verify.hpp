@@ -34,7 +34,7 @@ private:
     void check(const Record& r, const Linear& s);
     void check(const Record& r, const Arc& s);
     void check(const Record& r, const Spline& s);
-    void check(const Record& r, const Axis& s);
+    void check(const Record& r, const AxisEnds& ends);
     void check(const Record& r, const Thread& s);
     void check(const Record& r, const Dwell& s);
     void check(const Record& r, const Feed& s);

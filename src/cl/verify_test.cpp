@@ -53,7 +53,7 @@ TEST(Verify, NoRecordHoldsTheseValues) {
     EXPECT_EQ(complaints({Feed{INFINITY, FeedMode::per_minute}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Dwell{-1, 0}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Thread{{0, 0, 0}, 0, false}}), Codes{"value-range"});
-    EXPECT_EQ(complaints({Axis{{}, 0, true}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Linear{{0, 0, 0}, {0, 0, 1}, true, Seek::nothing, {{{}, 0, true}}}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Frame{{{FrameKind::scaling, geom::Frame::scaling({1, 0, 1})}}}}), Codes{"value-range"});
     EXPECT_EQ(complaints({Frame{{{FrameKind::mirror, geom::Frame::scaling({-1, 1, 1})}}}}), Codes{});
 }

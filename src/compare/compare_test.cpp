@@ -192,10 +192,10 @@ TEST(Compare, AnotherToolAtTheSameNumbersIsAMove) {
 
 TEST(Compare, AnAxisThatIsCountedOtherwiseMoves) {
     const auto turned = [](bool counted) {
-        const cl::Axis c{{'C'}, 30, true, false};
-        cl::Axis again = c;
-        again.counted = counted;
-        return Steps{c, line(10), again, line(20)};
+        cl::Linear first = line(10), second = line(20);
+        first.ends = {{{'C'}, 30, true, false}};
+        second.ends = {{{'C'}, 30, true, counted}};
+        return Steps{first, second};
     };
     EXPECT_EQ(differences(turned(false), turned(false)), "");
     EXPECT_EQ(differences(turned(false), turned(true)), "motion");

@@ -34,9 +34,10 @@ public:
     std::vector<Difference> all;
 };
 
-/// A record in the words of the stream's text form, without its place.
+/// A record in the words of the stream's text form, without its place and the lines of axes before it.
 inline std::string words(const cl::Step& step) {
     std::string out = cl::to_text({step, {}, 0});
+    out.erase(0, out.rfind('\n') + 1);
     return out.substr(0, out.rfind(" @"));
 }
 /// A zero as a message names it: the ledger calls zeros by the same numbers.

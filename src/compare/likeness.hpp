@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool operator()(const cl::Arc& a, const cl::Arc& b) const {
         const double radius = geom::length(in_plane(a.to - a.centre, a.normal));
         return place(a.to, b.to) && a.rapid == b.rapid && turn(a.normal, a.sweep, b.normal, b.sweep, radius) &&
-               middles(a, b) && as_known(a.centre, b.centre, a.normal);
+               direction(a.axis, b.axis) && middles(a, b) && as_known(a.centre, b.centre, a.normal);
     }
     /// Coordinates of a centre that nobody knows: the same ones, but for those along the axis.
     [[nodiscard]] static bool as_known(const geom::Vec3& a, const geom::Vec3& b, const geom::Vec3& normal) {
@@ -74,9 +74,10 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::Thread& a, const cl::Thread& b) const {
         return place(a.to, b.to) && near(a.pitch, b.pitch, std::min(t_.length, pitch_words)) &&
-               a.rigid_tap == b.rigid_tap && near(a.start, b.start, t_.angle) && near(a.change, b.change, t_.length);
+               direction(a.axis, b.axis) && a.rigid_tap == b.rigid_tap && near(a.start, b.start, t_.angle) &&
+               near(a.change, b.change, t_.length);
     }
-    [[nodiscard]] bool operator()(const cl::Axis& a, const cl::Axis& b) const {
+    [[nodiscard]] bool operator()(const cl::AxisEnd& a, const cl::AxisEnd& b) const {
         return a.name == b.name && near(a.to, b.to, a.rotary ? t_.angle : t_.length) && a.rotary == b.rotary &&
                a.counted == b.counted;
     }

@@ -137,7 +137,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     hold();
     if (std::exchange(to_holder_, false)) held_ = false;
     note_tool();
-    for (const cl::Axis& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
+    for (const cl::AxisEnd& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
     if (goes_on(record)) {
         auto& arc = std::get<cl::Arc>(moves.back().step);
         const auto& next = std::get<cl::Arc>(record.step);
@@ -149,13 +149,12 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     }
     at_ = to;
     tilts_ = false;
-    if (const auto* line = std::get_if<cl::Linear>(&record.step)) tool_ = line->axis;
-    if (const auto* curve = std::get_if<cl::Spline>(&record.step)) tool_ = curve->axis;
+    tool_ = *cl::tool_axis_of(record.step);
 }
 
 /// An axis that is told to go where it stands does not move.
-void Path::take_axis(const cl::Axis& axis) {
-    std::erase_if(axes_, [&](const cl::Axis& a) { return a.name == axis.name; });
+void Path::take_axis(const cl::AxisEnd& axis) {
+    std::erase_if(axes_, [&](const cl::AxisEnd& a) { return a.name == axis.name; });
     const Stand stands = stands_[axis.name];
     if (near(stands.to, axis.to, same_place_) && !std::isnan(axis.to) && stands.counted == axis.counted) return;
     axes_.push_back(axis);
@@ -170,8 +169,10 @@ void Path::take_item(Kept<Item>& items, cl::Step step, const cl::Record& record)
 
 void Path::take(const cl::Record& record) {
     const cl::Step& step = record.step;
-    if (cl::is_move(step)) return take_move(record, cursor_.take(record)->to);
-    if (const auto* axis = std::get_if<cl::Axis>(&step)) return take_axis(*axis);
+    if (const cl::AxisEnds* ends = cl::ends_of(step)) {
+        for (const cl::AxisEnd& axis : *ends) take_axis(axis);
+        return take_move(record, cursor_.take(record)->to);
+    }
     const auto datum = cursor_.state().datum;
     cursor_.take(record);
     held_ = false;

@@ -41,8 +41,8 @@ struct Item {
 };
 
 struct Move {
-    cl::Step step;  ///< Linear, Arc, Spline, Thread
-    std::vector<cl::Axis> axes;
+    cl::Step step;      ///< Linear, Arc, Spline, Thread
+    cl::AxisEnds axes;  ///< those that move
     std::shared_ptr<const Holding> holding;
     base::Span from;
     cl::StackId stack = 0;
@@ -69,7 +69,7 @@ private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
     void note_tool();
-    void take_axis(const cl::Axis& axis);
+    void take_axis(const cl::AxisEnd& axis);
     void take_event(const cl::Record& record);
     void take_tool_data(const cl::Record& record, const cl::ToolData& data);
     void take_item(Kept<Item>& items, cl::Step step, const cl::Record& record);
@@ -94,7 +94,7 @@ private:
     bool tilts_ = false;                  ///< another frame since then
     cl::ToolLength length_there_;         ///< that was compensated there
     std::optional<std::size_t> item_at_;  ///< moves before the last event, cycle or element of a contour
-    std::vector<cl::Axis> axes_;
+    cl::AxisEnds axes_;                   ///< since the last move that counts
     struct Stand {
         double to = NAN;
         bool counted = false;

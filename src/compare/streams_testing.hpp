@@ -20,11 +20,13 @@ inline cl::Linear line(double x, double y = 0, bool rapid = false) {
     return {{x, y, 0}, {0, 0, 1}, rapid, cl::Seek::nothing};
 }
 
-/// A line of the text form without its place; nothing where it is none.
+/// A line of the text form without its place, ` | ` between those of axes and their move; nothing where it is none.
 inline std::optional<cl::Step> step_of(const std::string& line) {
     base::Sources sources;
     base::Diagnostics diagnostics;
-    const std::string text = std::string(cl::text_header) + "\n" + line + " @0:0-0\n";
+    std::string text = std::string(cl::text_header) + "\n" + line + " @0:0-0\n";
+    for (std::size_t at = text.find(" | "); at != std::string::npos; at = text.find(" | "))
+        text.replace(at, 3, " @0:0-0\n");
     const auto records = cl::read_text(sources, sources.add("a.cl", text), diagnostics);
     if (!diagnostics.all().empty() || records.size() != 1) return std::nullopt;
     return records[0].step;

@@ -11,7 +11,7 @@ constexpr Aspect length_aspect = Aspect::count;
 
 std::string with_axes(const Move& m) {
     std::string out = words(m.step);
-    for (const cl::Axis& axis : m.axes) out += ", " + words(axis);
+    for (const cl::AxisEnd& axis : m.axes) out += ", " + cl::to_text(axis);
     return out;
 }
 

@@ -135,6 +135,7 @@ struct Reckoning : Saying, ToolRack {
     geom::Vec3 programmed_position;  ///< in the programmed frame
     /// Axes of which no word has come since another tool was taken: the machine may have gone anywhere for that.
     std::array<bool, 3> unsaid_since_change{};
+    cl::AxisEnds ends;                                        ///< of the axes that the next move takes along
     std::pair<std::uint32_t, std::string> changed_to{0, {}};  ///< number and name of that tool
     geom::Frame frame;                                        ///< programmed frame -> stream frame
     bool frame_is_identity = true;

@@ -65,7 +65,6 @@ void Cursor::take_modal(const cl::Record& record) {
                    [](const cl::Arc&) {},
                    [](const cl::Spline&) {},
                    [](const cl::Thread&) {},
-                   [](const cl::Axis&) {},  // Stand
                    [](const cl::Dwell&) {},
                    [](const cl::Stop&) {},
                    [](const cl::Comment&) {},

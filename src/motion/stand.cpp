@@ -41,7 +41,7 @@ void Stand::take_tool(const shop::Tool* tool, bool offsets, double raised) {
     update();
 }
 
-void Stand::take(const cl::Axis& axis) {
+void Stand::take(const cl::AxisEnd& axis) {
     const std::string name(axis.name.data(), std::find(axis.name.begin(), axis.name.end(), '\0'));
     if (!axis.rotary) {
         if (parallel_.empty()) parallel_ = name;

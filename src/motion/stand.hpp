@@ -21,10 +21,10 @@ public:
     explicit Stand(const shop::Machine& machine);
 
     void take(const cl::Datum& datum);
-    void take(const cl::Axis& axis);
+    void take(const cl::AxisEnd& axis);
     /// A lathe's points turn with its workpiece (polar coordinate interpolation).
     [[nodiscard]] bool on_face() const { return on_face_; }
-    void take_face(const cl::Axis& axis) {
+    void take_face(const cl::AxisEnd& axis) {
         on_face_ = axis.rotary ? axis.counted && machine_.kind == shop::MachineKind::lathe : on_face_;
     }
     /// `tool`: null where it is not known. `offsets`: the control counts its length (an edge is selected).

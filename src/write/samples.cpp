@@ -64,8 +64,13 @@ void Maker::moves() {
         add("arc in the plane of Z and X", {cl::Arc{{at_.x + 5, at_.y, at_.z - 5}, beside, {0, 1, 0}, geom::pi / 2}});
     }
     add("cubic", {cl::Spline{at_ + along_x(10), {}, {}, along_x(-10), {0, 0, 1}, {}}});
-    add("rotary axis with a line", {cl::Axis{{'C'}, 30, true}, next()});
-    add("numbered axis with a line", {cl::Axis{{'C', '2'}, 30, true}, next()});
+    const auto with = [&](const cl::AxisEnd& axis) {
+        cl::Linear along = line(at_ + along_x(10));
+        along.ends = {axis};
+        return along;
+    };
+    add("rotary axis with a line", {with({{'C'}, 30, true})});
+    add("numbered axis with a line", {with({{'C', '2'}, 30, true})});
     add("thread", {cl::Thread{at_ + geom::Vec3{0, 0, -10}, 1.5, false}});
     add("thread, begun at an angle", {cl::Thread{at_ + geom::Vec3{0, 0, -10}, 1.5, false, 90}});
     add("thread whose pitch rises", {cl::Thread{at_ + geom::Vec3{0, 0, -10}, 1.5, false, 0, 0.1}});
@@ -151,13 +156,13 @@ void Maker::frames() {
     frame("frame: scaling", cl::FrameKind::scaling, geom::Frame::scaling({2, 2, 2}));
     if (!turning_) {
         const geom::Frame tilted = geom::Frame::rotation(0, geom::pi / 4);
-        const cl::Axis tilt_axis{{'A'}, 45, true, true};
         cl::Frame whole;
         whole.parts.push_back({cl::FrameKind::plane, tilted});
         const geom::Vec3 axis{0, -std::sqrt(0.5), std::sqrt(0.5)};
         add("frame: tilted plane", {whole, cl::Linear{at_ + along_x(10), axis, false}});
         const geom::Vec3 unknown{NAN, NAN, NAN};
-        add("frame: tilted plane, the axes turn", {whole, tilt_axis, cl::Linear{unknown, axis, true}});
+        add("frame: tilted plane, the axes turn",
+            {whole, cl::Linear{unknown, axis, true, cl::Seek::nothing, {{{'A'}, 45, true, true}}}});
     }
     frame("frame: a programmed one", cl::FrameKind::programmed, geom::Frame::shift({0, 0, 3}));
 }
@@ -280,11 +285,10 @@ std::vector<cl::Record> records_of(const std::vector<cl::Step>& steps) {
     bool made = false;
     for (const cl::Step& step : steps) {
         if (!cl::is_move(step)) made = std::holds_alternative<cl::Programmed>(step);
-        const bool turns = !out.empty() && std::holds_alternative<cl::Frame>(out.back().step) &&
-                           std::holds_alternative<cl::Axis>(step);
-        const bool turned = out.size() > 1 && std::holds_alternative<cl::Axis>(out.back().step) &&
-                            std::holds_alternative<cl::Frame>(out[out.size() - 2].step);
-        if ((!made || !cl::is_move(step)) && !turns && !turned) ++block;
+        const cl::AxisEnds* ends = cl::ends_of(step);
+        const bool turns =
+            !out.empty() && std::holds_alternative<cl::Frame>(out.back().step) && ends != nullptr && !ends->empty();
+        if ((!made || !cl::is_move(step)) && !turns) ++block;
         out.push_back({step, {0, block, block + 1}, 0});
     }
     return out;

@@ -12,9 +12,8 @@ namespace obrys::write {
 void Staircase::lose(const std::string& what) { output_.lost(*now_, what); }
 
 void Staircase::lose_axes() {
-    for (const cl::Record& r : std::exchange(axes_, {}))
-        lose("axis " + std::string(std::get<cl::Axis>(r.step).name.data()) +
-             ", which moves together with others here,");
+    for (const cl::AxisEnd& end : std::exchange(axes_, {}))
+        lose("axis " + std::string(end.name.data()) + ", which moves together with others here,");
 }
 
 void Staircase::pass(const cl::Record& record) { output_.record(record); }
@@ -109,7 +108,6 @@ void Staircase::step(const Way& way, double from, double to, int halved) {
 
 void Staircase::take_event(const cl::Record& record) {
     const cl::Step& step = record.step;
-    if (std::holds_alternative<cl::Axis>(step)) return axes_.push_back(record);
     if (const auto* place = std::get_if<cl::MachinePlace>(&step)) {
         if (place->kind == cl::PlaceKind::frame) return;  // each axis is said alone here
         place_ = record;
@@ -143,6 +141,7 @@ double Staircase::held(double coordinate) const {
 }
 
 void Staircase::take_move(const cl::Record& record) {
+    axes_ = *cl::ends_of(record.step);
     const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
     const geom::Vec3 to = cursor_.position().here();
@@ -156,14 +155,15 @@ void Staircase::take_move(const cl::Record& record) {
     const bool to_home = kind == cl::PlaceKind::home || kind == cl::PlaceKind::fixed;
     if (to_home && axes <= 1) pass(*place);
     if (axes > 0) lose_axes();
-    for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
     if (std::exchange(height_waits_, false) && !std::isnan(stands_[2]) && !(axes == 1 && moves[2])) say_height();
     if (const auto* line = std::get_if<cl::Linear>(&record.step)) return take_line(record, *line, from);
     axis_ = {0, 0, 1};
     if (const auto* arc = std::get_if<cl::Arc>(&record.step)) return take_arc(*arc, from);
     if (std::holds_alternative<cl::Thread>(record.step) && axes <= 1) {
+        cl::Record along = record;
+        *cl::ends_of(along.step) = std::exchange(axes_, {});
         said_ = moves;
-        pass(record);
+        pass(along);
         said_.reset();
         stands_ = coordinates(to);
         return;
@@ -182,6 +182,7 @@ void Staircase::take_line(const cl::Record& record, const cl::Linear& line, cons
         for (std::size_t k = 0; k < 3; ++k)
             if (moves[k] || std::isnan(stands_[k])) stands_[k] = held(there[k]);
         out.to = vector_of(stands_);
+        out.ends = std::exchange(axes_, {});
         said_ = moves;
         pass(along);
         said_.reset();
@@ -286,7 +287,6 @@ void Staircase::leave_known(const cl::Record& record, const std::optional<cl::Re
     const auto there = coordinates(to);
     if (place) {
         pass(*place);
-        for (const cl::Record& r : std::exchange(axes_, {})) pass(r);
         said_ = std::array<bool, 3>{};
         pass(record);
         said_.reset();

@@ -108,7 +108,7 @@ private:
     std::optional<std::array<bool, 3>> said_;
     bool height_waits_ = false;        ///< the tool is another one, and Z has not been said since
     bool counts_ = false;              ///< moves are those of a slope or an arc
-    std::vector<cl::Record> axes_;     ///< additional axes that the next move takes along
+    cl::AxisEnds axes_;                ///< additional axes that the move takes along
     std::optional<cl::Record> place_;  ///< of the machine, to which the next move leads
 };
 

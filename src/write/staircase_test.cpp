@@ -269,10 +269,9 @@ TEST(Staircase, WhatCannotBeDoneIsSaid) {
     EXPECT_EQ(lost(cl::Linear{{1e9, 1e9, 0}}), 1U);
     EXPECT_EQ(run(asked(0.1), {cl::Linear{{1, 1, 0}}}).lost.size(), 0U);  // axis by axis: its start is not known
     EXPECT_EQ(lost(cl::Linear{{1, NAN, 3}}), 1U);
-    cl::Axis turned;
-    turned.name[0] = 'B';
-    EXPECT_EQ(run(asked(0.1), {start, turned, cl::Linear{{1, 0, 0}}}).lost.size(), 1U);
-    EXPECT_EQ(run(asked(0.1), {start, turned, cl::Linear{{0, 0, 0}}}).lost.size(), 0U);
+    const auto turned = [](const Vec3& to) { return cl::Linear{to, {0, 0, 1}, false, cl::Seek::nothing, {{{'B'}}}}; };
+    EXPECT_EQ(run(asked(0.1), {start, turned({1, 0, 0})}).lost.size(), 1U);
+    EXPECT_EQ(run(asked(0.1), {start, turned({0, 0, 0})}).lost.size(), 0U);
 }
 
 const char* const stairs_post =

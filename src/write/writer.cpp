@@ -150,9 +150,11 @@ void Writer::take_move(const cl::Record& record) {
     const bool same_block =
         !held_.empty() && held_.back().record.from == record.from && held_.back().record.stack == record.stack;
     const auto* line = std::get_if<cl::Linear>(&record.step);
-    const bool may_wait = line != nullptr && line->rapid && axes_.empty() && !place_ && !stairs_;
+    const cl::AxisEnds& ends = *cl::ends_of(record.step);
+    const bool may_wait = line != nullptr && line->rapid && ends.empty() && !place_ && !stairs_;
     const bool behind_rise = held_.size() == 1 && rise_waits();
     if (!may_wait || !(same_block || behind_rise)) flush_held();
+    axes_ = ends;
     const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
     if (may_wait)
@@ -210,6 +212,7 @@ void Writer::take_programmed(const cl::Programmed& p) {
     if (programmed_.size() > looked_back) programmed_.erase(programmed_.begin());
     contour_begun_ = contour_begun_ || cursor_.state().compensation.has_value();
     const cl::Programmed* corner = p.corner == cl::Corner::none ? nullptr : &p;
+    axes_ = p.ends;
     if (p.sweep == 0) return write_line(p.to, p.rapid, corner);
     cl::Arc arc{p.to, p.centre, p.normal, p.sweep, p.rapid};
     write_arc(arc, p.from, corner);
@@ -218,7 +221,6 @@ void Writer::take_programmed(const cl::Programmed& p) {
 void Writer::take_event(const cl::Record& record) {
     if (!std::holds_alternative<cl::Feed>(record.step) || !rise_waits()) flush_held();
     const cl::Step& step = record.step;
-    if (const auto* axis = std::get_if<cl::Axis>(&step)) return axes_.push_back(*axis);
     if (const auto* place = std::get_if<cl::MachinePlace>(&step)) {
         place_ = *place;
         return;

@@ -116,7 +116,6 @@ private:
     void event(const cl::CycleEnd&) {}  // of a cycle that is written by its moves
     void event(const cl::LeadEnd&) {}
     void event(const cl::Setting&) {}  // for canonical calls alone
-    void event(const cl::Axis&) {}     // these have been taken before
     void event(const cl::MachinePlace&) {}
     void event(const cl::Programmed&) {}
     void event(const cl::CycleBegin&) {}
@@ -286,7 +285,7 @@ private:
     geom::Vec3 pointed_{0, 0, 1};          ///< where the tool has pointed in the last straight move
     geom::Vec3 direction_noted_;           ///< of which has been said that it is lost
     std::set<Command> without_feed_;       ///< of which has been said that they have no place for it
-    std::vector<cl::Axis> axes_;           ///< that the next move takes along
+    cl::AxisEnds axes_;                    ///< that the next move takes along
     std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
     int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
     double turning_speed_ = 0;             ///< 1/min, of the spindle when it turned last

@@ -28,7 +28,7 @@ constexpr std::string_view frame_table = "frame.";  ///< of the names of its com
 /// Whether an axis of the next move stands elsewhere yet, or nobody knows where.
 bool Writer::take_places_of_axes() {
     bool any = false;
-    for (const cl::Axis& axis : axes_) {
+    for (const cl::AxisEnd& axis : axes_) {
         const auto [at, is_new] = axes_at_.try_emplace(axis.name, axis.to);
         any = any || is_new || !(std::abs(at->second - axis.to) <= 1e-9);
         at->second = axis.to;

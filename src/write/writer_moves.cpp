@@ -61,7 +61,7 @@ void Writer::note_feed(bool rapid) {
 
 /// Axes that the move cannot take along.
 void Writer::lose_axes() {
-    for (const cl::Axis& axis : std::exchange(axes_, {}))
+    for (const cl::AxisEnd& axis : std::exchange(axes_, {}))
         note(Fate::lost, "axis " + std::string(axis.name.data()) + ", which moves together with others here,");
 }
 
@@ -99,7 +99,7 @@ void Writer::note_printed(Command command, const Template& form, const Parts& pa
 
 /// Words of the axes that move along; `home`: to their own zero, wherever that is.
 void Writer::take_axes(Parts& parts, bool home) {
-    for (const cl::Axis& axis : std::exchange(axes_, {})) {
+    for (const cl::AxisEnd& axis : std::exchange(axes_, {})) {
         const bool numbered = axis.name[1] != 0;
         const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
         Values value;

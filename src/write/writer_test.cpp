@@ -104,9 +104,9 @@ TEST(Writer, WhatNobodyKnowsIsSaidToBeLost) {
     const cl::Linear known{{1, 2, 3}, {0, 0, 1}, true};
     EXPECT_EQ(write(post, {known, cl::Linear{{1, 2, NAN}, {0, 0, 1}, true}}).lost.size(), 1U);
     EXPECT_TRUE(write(post, {cl::Linear{{1, 2, NAN}, {0, 0, 1}, true}, known}).lost.empty());
-    const cl::Axis a{{'A'}, 90, true};
-    EXPECT_EQ(write(post, {known, a, cl::Arc{{0, 10, -5}, {0, 0, 0}, {0, 0, 1}, 2.25 * geom::full_turn}}).lost.size(),
-              1U);
+    cl::Arc turning{{0, 10, -5}, {0, 0, 0}, {0, 0, 1}, 2.25 * geom::full_turn};
+    turning.ends = {{{'A'}, 90, true}};
+    EXPECT_EQ(write(post, {known, turning}).lost.size(), 1U);
 }
 
 TEST(Writer, CompensationWithoutAPlaceInTheBlockIsSaidToBeLost) {
@@ -167,7 +167,9 @@ TEST(Writer, ClockwiseArcsFromAQuadrantToTheNextAreCutThere) {
 TEST(Writer, WhatAMoveHasAndItsTemplateHasNoPlaceForIsLostAndSaid) {
     std::string text = small;
     text.replace(text.find("linear = \"G1 X{x} Y{y} Z{z} {feed}\""), 35, "linear = \"G1 X{x} Y{y}\"");
-    const Written w = write(post_of(text), {cl::Feed{200}, cl::Axis{{'C'}, 90, true}, cl::Linear{{1, 0, -5}}});
+    const Written w =
+        write(post_of(text),
+              {cl::Feed{200}, cl::Linear{{1, 0, -5}, {0, 0, 1}, false, cl::Seek::nothing, {{{'C'}, 90, true}}}});
     ASSERT_EQ(w.lost.size(), 3U);
     EXPECT_EQ(w.lost[0], "a move along Z");
     EXPECT_EQ(w.lost[1], "axis C, which moves together with others here,");

@@ -112,7 +112,9 @@ void Limits::follow_stand() {
     }
 }
 
-void Limits::take(const cl::Record& record, const cl::Axis& axis) { check_axis(record, axis.name, axis.to, axis.to); }
+void Limits::take(const cl::Record& record, const cl::AxisEnd& axis) {
+    check_axis(record, axis.name, axis.to, axis.to);
+}
 
 void Limits::take(const cl::Record& record, const cl::Spline& spline) {
     for (const cl::SplineAxis& axis : spline.axes) {

@@ -20,7 +20,7 @@ public:
 
     /// Zero, tool or rotary axes have changed.
     void stand_changed() { changed_ = true; }
-    void take(const cl::Record& record, const cl::Axis& axis);
+    void take(const cl::Record& record, const cl::AxisEnd& axis);
     /// Only its additional axes; the move itself comes as a move.
     void take(const cl::Record& record, const cl::Spline& spline);
     /// The spindle has been told something, in `before`'s place.

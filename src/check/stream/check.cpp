@@ -45,7 +45,7 @@ struct Check::State {
         stand.take_tool(cursor.state().tool, tool.edge != 0, tool.raised);
         limits.stand_changed();
     }
-    void take(const cl::Record& record, const cl::Axis& to) {
+    void take(const cl::Record& record, const cl::AxisEnd& to) {
         removal.take(to);
         limits.take(record, to);
         stand.take_face(to);
@@ -94,7 +94,10 @@ cl::Record placed(cl::Record record, const Placing& at) {
         linear->to = at.point(linear->to);
         if (at.frame != nullptr) linear->axis = at.axis;
     }
-    if (auto* thread = std::get_if<cl::Thread>(&record.step)) thread->to = at.point(thread->to);
+    if (auto* thread = std::get_if<cl::Thread>(&record.step)) {
+        thread->to = at.point(thread->to);
+        if (at.frame != nullptr) thread->axis = at.axis;
+    }
     if (auto* spline = std::get_if<cl::Spline>(&record.step)) {
         spline->to = at.point(spline->to);
         for (geom::Vec3* k : {&spline->k1, &spline->k2, &spline->k3}) *k = at.way(*k);
@@ -104,14 +107,9 @@ cl::Record placed(cl::Record record, const Placing& at) {
         arc->to = at.point(arc->to);
         arc->centre = at.point(arc->centre);
         arc->normal = at.way(arc->normal);
+        if (at.frame != nullptr) arc->axis = at.axis;
     }
     return record;
-}
-
-geom::Vec3 axis_of(const cl::Step& step, const geom::Vec3& otherwise) {
-    if (const auto* linear = std::get_if<cl::Linear>(&step)) return linear->axis;
-    if (const auto* spline = std::get_if<cl::Spline>(&step)) return spline->axis;
-    return otherwise;
 }
 
 bool turns_rotary(const cl::Step& step) {
@@ -130,11 +128,10 @@ void Check::State::move(const motion::Step& step) {
     totals.position = from;  // not where the last move ended, if the zero offset has changed since
     const bool turning = stand.turning() || turns_rotary(record.step);
     const Move programmed{record, step.index, from, to, step.rapid, turning};
-    axis = axis_of(record.step, axis);
+    axis = *cl::tool_axis_of(record.step);
     const bool swivelled = !stand.plain() || !(axis == z_axis);
     const motion::Stand::View& view = stand.view(axis);
     const Placing at{view.frame == geom::Frame{} ? nullptr : &view.frame, view.axis, by};
-    // An arc does not say how the tool stands: as the last move that did.
     const cl::Record in_stock_frame = at.moves() ? placed(record, at) : cl::Record{};
     const Move m{at.moves() ? in_stock_frame : record,
                  step.index,
@@ -162,7 +159,7 @@ void Check::State::move(const motion::Step& step) {
     tip_swivelled = swivelled;
     stand.moved();
     if (const auto* spline = std::get_if<cl::Spline>(&record.step); spline != nullptr && milling)
-        for (const cl::SplineAxis& a : spline->axes) stand.take(cl::Axis{a.name, a.to, a.rotary, false});
+        for (const cl::SplineAxis& a : spline->axes) stand.take(cl::AxisEnd{a.name, a.to, a.rotary, false});
 }
 
 void Check::State::keep(const Move& m, Removed removed) {
@@ -200,6 +197,8 @@ const Setup& Check::setup() const { return state_->setup; }
 
 void Check::State::take(const cl::Record& record) {
     const cl::Spindle spindle = cursor.state().spindle;
+    if (const cl::AxisEnds* ends = cl::ends_of(record.step))
+        for (const cl::AxisEnd& axis_end : *ends) take(record, axis_end);
     if (const auto* spline = std::get_if<cl::Spline>(&record.step)) limits.take(record, *spline);
     if (const auto step = cursor.take(record))
         move(*step);
@@ -211,8 +210,6 @@ void Check::State::take(const cl::Record& record) {
         spindle_changed(record, spindle);
     else if (const auto* datum = std::get_if<cl::Datum>(&record.step))
         take(*datum);
-    else if (const auto* to = std::get_if<cl::Axis>(&record.step))
-        take(record, *to);
     else if (std::holds_alternative<cl::CycleBegin>(record.step) && milling)
         milling->begin_cycle(record.from);
     else if (std::holds_alternative<cl::CycleEnd>(record.step) && milling)

@@ -109,7 +109,7 @@ TEST(Limits, AdditionalAxes) {
     check::Setup s = machine();
     s.machine.axes.push_back(axis("C", true, -90.0, 90.0));
     Script run(s);
-    run.step(cl::Axis{{'C'}, 95, true});
+    run.step(cl::Linear{{0, 0, 0}, {0, 0, 1}, true, cl::Seek::nothing, {{{'C'}, 95, true}}});
     const Result r = run.finish();
     ASSERT_EQ(codes(r), Codes{"axis-limit"});
     EXPECT_NEAR(amount(r.findings[0], "excess_deg"), 5, 1e-9);

@@ -64,23 +64,23 @@ struct StandScript {
         take(cl::Feed{500, cl::FeedMode::per_minute});
     }
     StandScript& take(cl::Step step) {
+        if (cl::AxisEnds* along = cl::ends_of(step)) *along = std::exchange(ends, {});
         check.take({std::move(step), {0, at, at + 1}, 0});
         ++at;
         return *this;
     }
-    StandScript& turn(char name, double to, bool counted) {
-        cl::Axis a;
-        a.name[0] = name;
-        a.to = to;
-        a.rotary = true;
-        a.counted = counted;
-        return take(a);
+    StandScript& turn(char name, double to, bool counted) { return turn({{name}, to, true, counted}); }
+    /// With the next move.
+    StandScript& turn(const cl::AxisEnd& axis) {
+        ends.push_back(axis);
+        return *this;
     }
     StandScript& go(Vec3 to, Vec3 tool = {0, 0, 1}, bool rapid = false) { return take(cl::Linear{to, tool, rapid}); }
 
     const cl::CallStacks stacks;
     Check check;
     std::uint32_t at = 0;
+    cl::AxisEnds ends;  ///< of the next move
 };
 
 Vec3 turned(Vec3 v, char about, double degrees) {
@@ -252,14 +252,12 @@ TEST(Stand, ATurnThatIsNotKnownAnArcInAPlaneAndAParallelAxisAreNotCalledClean) {
     {
         StandScript run(stand_setup());  // the plane is told on the spot, then only an arc runs in it
         run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).go(over, tool_axis(25, 0), true);
-        run.take(cl::Arc{{30, 30, 30}, {30, 25, 30}, tool_axis(25, 0), geom::pi});
+        run.take(cl::Arc{{30, 30, 30}, {30, 25, 30}, tool_axis(25, 0), geom::pi, false, tool_axis(25, 0)});
         EXPECT_TRUE(says(run.check.finish(), "do not stand as the tilted plane asks"));
     }
     {
         StandScript run(stand_setup());
-        cl::Axis w;
-        w.name[0] = 'W';
-        run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).take(w).go({30, 20, -2});
+        run.take(cl::Datum{54, zero}).go(over, {0, 0, 1}, true).turn({{'W'}}).go({30, 20, -2});
         EXPECT_TRUE(says(run.check.finish(), "the axis W moves tool or workpiece, too"));
     }
     {

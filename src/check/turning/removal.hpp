@@ -39,7 +39,7 @@ public:
     /// Notes, rest material and the figures of the stock. `end`: the last record.
     void finish(const cl::Record& end, bool whole);
     /// A rotary axis of a lathe moves: until the next tool, tools are taken to be driven ones.
-    void take(const cl::Axis& axis) { positioned_ = positioned_ || (axis.rotary && is_lathe()); }
+    void take(const cl::AxisEnd& axis) { positioned_ = positioned_ || (axis.rotary && is_lathe()); }
     /// Whether the move is made by a tool that a spindle of its own turns, of which the stream does not tell.
     [[nodiscard]] bool driven(const Move& move) const { return positioned_ || (is_lathe() && works_off_axis(move)); }
     [[nodiscard]] geom::Region stock() const { return work_ ? work_->region() : geom::Region{}; }

@@ -183,8 +183,10 @@ void read_sample(const write::Post& post, const Around& a, const std::vector<cl:
     const bool by_axes = post.staircase.has_value();
     compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     take_wanted(wanted, post, written, a.before, records, ends);
-    const bool turns_axes = std::any_of(records.begin(), records.end(),
-                                        [](const cl::Record& r) { return std::holds_alternative<cl::Axis>(r.step); });
+    const bool turns_axes = std::any_of(records.begin(), records.end(), [](const cl::Record& r) {
+        const cl::AxisEnds* along = cl::ends_of(r.step);
+        return along != nullptr && !along->empty();
+    });
     const auto run = read_again(post, written.text, read, turns_axes);
     t.read = ReadBack::unclear;
     if (run == nullptr) return t.differences.emplace_back("it cannot be read"), void();

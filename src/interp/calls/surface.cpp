@@ -37,10 +37,8 @@ bool compensates(Reckoning& run, const char* when) {
 /// The place where the tool stands, told anew.
 void tell_place(Telling& run, bool counted) {
     SurfaceMode& s = run.surface;
-    const cl::Record here{cl::Linear{turned_by(run.position, counted ? s.start : 0), {0, 0, 1}, true}, run.here(),
-                          run.top().stack};
-    tell_axis(run, here, s.angle, counted);
-    run.sink(here);
+    const cl::Linear here{turned_by(run.position, counted ? s.start : 0), {0, 0, 1}, true};
+    send_turned(run, {here, run.here(), run.top().stack}, s.angle, counted);
 }
 
 void begin(Moving& run, SurfaceKind kind) {

@@ -110,6 +110,7 @@ void emit_step(Telling& run, cl::Step step) {
         linear->axis = run.tool_axis;
     } else if (auto* thread = std::get_if<cl::Thread>(&step)) {
         thread->to = place(thread->to);
+        thread->axis = run.tool_axis;
     } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
         const std::optional<PlaneMove> placed = plane_move(run, plane_arc(*arc), arc->rapid);
         if (!placed) return circle_alarm(run, run.here());

@@ -45,7 +45,7 @@ bool has_too_many_axes(Telling& run, const cl::Spline& spline) {
     unchecked(run, codes::unsupported, run.here(),
               "a spline with more than two axes besides X, Y and Z is not followed: it is run straight");
     for (const cl::SplineAxis& a : spline.axes)
-        emit(run, axis_record(std::string_view(a.name.data()), a.to, a.rotary, false));
+        take_along(run, axis_end(std::string_view(a.name.data()), a.to, a.rotary, false));
     emit(run, cl::Linear{spline.to, run.tool_axis, false});
     return true;
 }

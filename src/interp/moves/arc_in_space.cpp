@@ -82,7 +82,7 @@ void run_arc_in_space(Moving& run, const cl::Arc& arc) {
     const Vec3 n = geom::apply_direction(run.frame, arc.normal);
     const double size = geom::length(n);
     emit(run, cl::Arc{run.position, geom::apply(run.frame, arc.centre),
-                      (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep, false});
+                      (geom::determinant(run.frame) < 0 ? -1 / size : 1 / size) * n, arc.sweep, false, run.tool_axis});
 }
 
 bool arc_about_axis(Moving& run, const Vec3& to) {

@@ -32,7 +32,7 @@ double home_of(const Moving& run, std::size_t axis) {
 void emit_other_axis(Telling& run, std::size_t k, double to) {
     const std::string name = axis_name(k);
     run.extra_axes[name] = to;
-    emit(run, axis_record(name, to, is_rotary(k), false));
+    take_along(run, axis_end(name, to, is_rotary(k), false));
 }
 
 /// Bare G28 moves the axes that the machine has.

@@ -128,6 +128,7 @@ void PathStage::tell_programmed(Moving& run, const path::Element& e, bool rapid)
     if (const path::CornerRequest corner = corner_of_block(run);
         corner.kind != path::CornerKind::none && std::isfinite(corner.size))
         p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size, p->corner_feed = corner_feed(run);
+    p->ends = run.ends;
     hold({*p, run.here(), run.top().stack});
 }
 

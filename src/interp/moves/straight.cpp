@@ -46,7 +46,7 @@ void extra_axis(Telling& run, const std::string& name, double value, std::uint8_
                            " is not followed: it is taken to stand where the "
                            "program says");
     run.extra_axes[name] = to;
-    emit(run, axis_record(name, to, rotary, rotary && tilted(run)));
+    take_along(run, axis_end(name, to, rotary, rotary && tilted(run)));
 }
 
 }  // namespace

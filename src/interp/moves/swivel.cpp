@@ -32,7 +32,7 @@ void tell_rotary(Telling& run, const Vec3& axis_before) {
     for (const std::size_t i : m.chain) {
         const auto at = run.extra_axes.find(m.axes[i].name);
         if (m.axes[i].rotary && at != run.extra_axes.end())
-            emit(run, axis_record(at->first, at->second, true, tilted(run)));
+            take_along(run, axis_end(at->first, at->second, true, tilted(run)));
     }
     if (run.tool_axis == axis_before) return;
     emit_frame(run);
@@ -55,7 +55,7 @@ void swivel(Moving& run, bool keeps_tip, const Vec3& tip, const base::Span& wher
         if (!j.rotary) continue;
         const double to = in_degrees(run.aimed_at[i]);
         run.extra_axes[j.name] = to;
-        emit(run, axis_record(j.name, to, true, tilted(run)));
+        take_along(run, axis_end(j.name, to, true, tilted(run)));
     }
     if (keeps_tip)
         stand_at(run, tip);

@@ -76,6 +76,7 @@ bool rigid_tap(Moving& run) {
     flush_path(run);
     const geom::Vec3 from = run.programmed_position, to = programmed_target(run);
     cl::Thread t;
+    t.axis = run.tool_axis;
     t.pitch = run.block.get(Code::k) * length_unit(run.modal) * hand_of_spindle(run, from, to);
     t.rigid_tap = true;
     tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
@@ -100,6 +101,7 @@ bool thread_motion(Moving& run, const geom::Vec3& to) {
         assume(run, run.here(), compensation_in_force(run) + " is still in force in a thread, which is run without it",
                "switch it off before the thread, in a block with a way of its own");
     cl::Thread t;
+    t.axis = run.tool_axis;
     t.pitch = pitch_of_thread(run, thread_pitch(run, run.programmed_position, to), run.programmed_position, to);
     if (t.pitch == 0) {
         unchecked(run, codes::value_range, run.here(),

@@ -38,7 +38,7 @@ void count_from(Telling& run, std::size_t k, double datum) {
     const auto at = run.extra_axes.find(axis_name(k));
     if (by == 0 || at == run.extra_axes.end()) return;
     at->second += by;
-    emit(run, axis_record(at->first, at->second, is_rotary(k), false));
+    take_along(run, axis_end(at->first, at->second, is_rotary(k), false));
 }
 
 bool holds_external(const Reckoning& run, std::size_t axis) {

@@ -47,13 +47,22 @@ void flush_path(Telling& run) {
     if (run.capture == nullptr && run.path->active()) run.path->flush(run);
 }
 
-cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool counted) {
-    cl::Axis axis;
+cl::AxisEnd axis_end(std::string_view name, double to, bool is_rotary, bool counted) {
+    cl::AxisEnd axis;
     for (std::size_t i = 0; i < name.size() && i + 1 < axis.name.size(); ++i) axis.name[i] = name[i];
     axis.to = to;
     axis.rotary = is_rotary;
     axis.counted = counted;
     return axis;
+}
+
+void take_along(Telling& run, const cl::AxisEnd& axis) {
+    if (run.capture == nullptr) run.ends.push_back(axis);
+}
+
+void send_with_ends(Telling& run, cl::Record record) {
+    *cl::ends_of(record.step) = std::exchange(run.ends, {});
+    send(run, record);
 }
 
 geom::Vec3 stream_origin(const Reckoning& run) {

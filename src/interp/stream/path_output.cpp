@@ -83,7 +83,8 @@ void PathStage::output(Telling& run, const path::Output& out) {
     for (const int event : out.element.before) send_event(run, events_[static_cast<std::size_t>(event)]);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
-    const Origin& origin = origins_[out.element.tag];
+    Origin& origin = origins_[out.element.tag];
+    const cl::AxisEnds later = std::exchange(run.ends, std::exchange(origin.ends, {}));
     run.record.from = origin.from;
     run.record.stack = origin.stack;
     run.feed_shape.plunge = origin.plunge_part;
@@ -96,8 +97,11 @@ void PathStage::output(Telling& run, const path::Output& out) {
                "outer corners under radius compensation are run as arcs about the corner (" +
                    std::string(run.traits->outer_corner_setting) +
                    "); otherwise the control goes farther out, to where the parallels cross");
-    if (out.kind != path::Kind::transition || !(origin.pulled_out > 0)) return emit_one(out.element);
-    for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
+    if (out.kind != path::Kind::transition || !(origin.pulled_out > 0))
+        emit_one(out.element);
+    else
+        for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
+    run.ends = later;
 }
 
 void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }

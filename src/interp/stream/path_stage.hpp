@@ -55,6 +55,7 @@ private:
         bool fixed_plane = false;
         double pulled_out = 0;     ///< part of the way to the crossing that the corner before it goes farther out
         bool asks_corner = false;  ///< by a word of its block
+        cl::AxisEnds ends{};       ///< of axes that move along
     };
 
     /// Says where a corner is joined over more blocks without motion than the control sees past.

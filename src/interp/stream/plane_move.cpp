@@ -34,7 +34,7 @@ PlaneMove move_in_stream(const Reckoning& run, const path::Element& e, bool rapi
     const PlaneAxes a = plane_axes(run.modal.plane);
     const Vec3 to = in_space(a, e.to, e.w_to);
     if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    return cl::Arc{to, in_space(a, e.centre, e.w_from), in_space(a, {}, 1), e.sweep, rapid};
+    return cl::Arc{to, in_space(a, e.centre, e.w_from), in_space(a, {}, 1), e.sweep, rapid, run.tool_axis};
 }
 
 }  // namespace
@@ -48,7 +48,7 @@ std::optional<PlaneMove> plane_move(const Reckoning& run, const path::Element& e
         const Vec3 u = point_in_stream(run, {1, 0}, 0) - zero, v = point_in_stream(run, {0, 1}, 0) - zero;
         if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
     }
-    return cl::Arc{to, point_in_stream(run, e.centre, e.w_from), plane_normal(run), e.sweep, rapid};
+    return cl::Arc{to, point_in_stream(run, e.centre, e.w_from), plane_normal(run), e.sweep, rapid, run.tool_axis};
 }
 
 Vec3 plane_normal(const Reckoning& run) {

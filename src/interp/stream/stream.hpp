@@ -22,7 +22,8 @@ void update_frame(Telling&);
 /// Hands a move of the plane to the stream as the axes make it.
 void send_on_surface(Telling&, const cl::Record&);
 [[nodiscard]] geom::Vec3 turned_by(const geom::Vec3& p, double by);
-void tell_axis(Telling& run, const cl::Record& record, double angle, bool counted);
+/// A move with the angle to which C turns in it.
+void send_turned(Telling& run, cl::Record record, double angle, bool counted);
 
 // --- active_zero.cpp
 /// Takes what the parameters hold at the start of the run.
@@ -74,9 +75,14 @@ void shape_feed_from_here(Telling&);
 /// Before `record` goes out: the feed that it is run with.
 void shape_feed(Telling&, const cl::Record& record);
 
+/// A move goes out with the axes that it takes along.
+void send_with_ends(Telling& run, cl::Record record);
 /// Hands a record to whoever takes the stream.
 inline void send(Telling& run, const cl::Record& record) {
-    if (cl::is_move(record.step)) run.unsaid_since_change = {};  // it leads on from where it ends
+    if (cl::is_move(record.step)) {
+        if (!run.ends.empty()) return send_with_ends(run, record);
+        run.unsaid_since_change = {};  // it leads on from where it ends
+    }
     run.sent = cl::position_after(run.sent, record.step);
     if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
@@ -149,7 +155,9 @@ void emit_frame(Telling&);
 /// Zero of the run's coordinates in the machine's, and that of the selected datum; NaN where it is not known.
 [[nodiscard]] geom::Vec3 stream_origin(const Reckoning&);
 [[nodiscard]] geom::Vec3 selected_origin(const Reckoning&);
-[[nodiscard]] cl::Axis axis_record(std::string_view name, double to, bool is_rotary, bool counted);
+/// The next move takes the axis along.
+void take_along(Telling&, const cl::AxisEnd& axis);
+[[nodiscard]] cl::AxisEnd axis_end(std::string_view name, double to, bool is_rotary, bool counted);
 /// Emits what a path stage (compensation, rounding) still holds back.
 void flush_path(Telling&);
 

@@ -56,9 +56,10 @@ double after(const SurfaceMode& s, double turn, const Vec3& to) {
 
 }  // namespace
 
-void tell_axis(Telling& run, const cl::Record& record, double angle, bool counted) {
+void send_turned(Telling& run, cl::Record record, double angle, bool counted) {
     run.surface.angle = angle;
-    run.sink({axis_record(turned_axis, angle, true, counted), record.from, record.stack});
+    cl::ends_of(record.step)->push_back(axis_end(turned_axis, angle, true, counted));
+    run.sink(record);
 }
 
 namespace {
@@ -79,16 +80,16 @@ void send_polar(Telling& run, cl::Record record) {
     } else {
         return run.sink(record);
     }
-    tell_axis(run, record, after(s, turn, to), true);
+    const double angle = after(s, turn, to);
     s.at = to;
-    run.sink(record);
+    send_turned(run, std::move(record), angle, true);
 }
 
 /// A straight way on the unrolled cylinder.
 void send_unrolled(Telling& run, const cl::Record& record, const Vec3& to, bool rapid) {
-    tell_axis(run, record, degrees(to.y / run.surface.radius), false);
     run.surface.at = to;
-    run.sink({cl::Linear{{to.x, 0, to.z}, {0, 0, 1}, rapid}, record.from, record.stack});
+    send_turned(run, {cl::Linear{{to.x, 0, to.z}, {0, 0, 1}, rapid}, record.from, record.stack},
+                degrees(to.y / run.surface.radius), false);
 }
 
 void send_cylinder(Telling& run, const cl::Record& record) {

@@ -105,7 +105,8 @@ void Collector::take_feed(const motion::Step& step, double way, ToolUse& use) {
 void Collector::take_move(const motion::Step& step) {
     ++program_.moves;
     ToolUse& use = tool();
-    const bool rotary = std::exchange(rotary_waits_, false);
+    const cl::AxisEnds& ends = *cl::ends_of(step.record.step);
+    const bool rotary = std::any_of(ends.begin(), ends.end(), [](const cl::AxisEnd& end) { return end.rotary; });
     const double way = cl::move_length(step.from, step.record.step);
     ZeroUse& in = zero();
     ++in.moves;
@@ -143,7 +144,6 @@ void Collector::take_dwell(const cl::Dwell& dwell) {
 
 void Collector::take(const cl::Record& record) {
     if (const auto step = cursor_.take(record)) return take_move(*step);
-    if (const auto* axis = std::get_if<cl::Axis>(&record.step)) rotary_waits_ = rotary_waits_ || axis->rotary;
     if (const auto* change = std::get_if<cl::ToolChange>(&record.step); change != nullptr) {
         if (change->number != 0 || !change->name.empty()) ++tool().calls;
         if (!change->standing) ++program_.tool_changes;

@@ -90,7 +90,6 @@ private:
     double highest_ = INFINITY;
     motion::Cursor cursor_;
     Program program_;
-    bool rotary_waits_ = false;
 };
 
 struct Options {

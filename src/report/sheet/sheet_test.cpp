@@ -44,7 +44,7 @@ TEST(Sheet, TimesFollowFromPathFeedAndRapidByTool) {
 
 TEST(Sheet, WhatIsNotKnownIsCountedApartAndNotAsNothing) {
     const Program p = of({rapid(0, 0, 0), cl::Feed{NAN}, cl::Linear{{10, 0, 0}}, cl::Dwell{0, 5}, cl::Dwell{NAN},
-                          cl::Axis{{'C'}, 90, true}, rapid(10, 0, 0)});
+                          cl::Linear{{10, 0, 0}, {0, 0, 1}, true, cl::Seek::nothing, {{{'C'}, 90, true}}}});
     EXPECT_DOUBLE_EQ(p.times.untimed_mm, 10);
     EXPECT_EQ(p.times.untimed_dwells, 2U);
     EXPECT_EQ(p.times.rotary, 1U);
