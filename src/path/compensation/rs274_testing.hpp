@@ -41,6 +41,9 @@ struct TableTool {
 [[nodiscard]] std::string whole_file(const std::string& path);
 [[nodiscard]] std::vector<Stretch> run_rs274(const std::string& program, const std::vector<TableTool>& table = {});
 
+/// The number at `at`, which goes on behind it.
+[[nodiscard]] double number(const std::string& text, std::size_t& at);
+
 /// Empty where both agree, else a sentence.
 [[nodiscard]] std::string difference(const Stretch& here, const Stretch& there);
 
