@@ -116,9 +116,10 @@ enum class Function : std::uint8_t {
     format_text,    ///< SPRINT: a text with % where the values go
     file_exists,    ///< ISFILE
     set_list,
-    repeat_list,  ///< SET(…) and REP(…): only as the value of an array assignment
-    round_down,   ///< to the next integer below
-    round_away,   ///< to the nearest integer, halves away from zero
+    repeat_list,     ///< SET(…) and REP(…): only as the value of an array assignment
+    round_down,      ///< to the next integer below
+    round_away,      ///< to the nearest integer, halves away from zero
+    round_outwards,  ///< away from zero to the next whole number
 };
 
 /// Questions to the modal state (SystemVariable::state); yes is 1, no is 0.

@@ -100,6 +100,14 @@ struct CannedWord {
     bool length = false;  ///< in the program's unit
     double factor = 1;    ///< dwell in milliseconds: 0.001
     bool across = false;  ///< a diameter where the program has diameters
+    bool sign_ignored = false;
+    /// Where the cycle has that word and not this other one, it says something else: K of Haas' G73 beside Q, without
+    /// I.
+    struct Beside {
+        Code word = Code::p, unless = Code::p;
+        cl::CycleRole role = cl::CycleRole::dwell_bottom;
+    };
+    const Beside* beside = nullptr;
 };
 /// A cycle that the words of motion blocks call (G81 X Y Z R).
 struct CannedCycle {

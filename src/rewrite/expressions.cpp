@@ -55,7 +55,8 @@ bool is_whole(const Unit& unit, ExprId id) {
             return op != Operator::divide && op != Operator::power && is_whole(unit, e.a) && is_whole(unit, e.b);
         case ExprKind::function: {
             const auto f = static_cast<Function>(e.op);
-            return f == Function::trunc || f == Function::round || f == Function::round_up;
+            return f == Function::trunc || f == Function::round || f == Function::round_up ||
+                   f == Function::round_outwards;
         }
         default: return false;
     }

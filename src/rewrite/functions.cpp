@@ -28,6 +28,7 @@ constexpr std::array spellings{
     Spelling{Function::round, "round"},
     Spelling{Function::round_away, "round-away"},
     Spelling{Function::round_up, "round-up"},
+    Spelling{Function::round_outwards, "round-outwards"},
     Spelling{Function::round_down, "round-down"},
     Spelling{Function::ln, "ln"},
     Spelling{Function::log10, "log10"},
@@ -89,6 +90,13 @@ public:
         if (has("round-up")) return call("round-up", v);
         const Text x = hold(v), to = copy(trunc(x));
         w_.when(to, Operator::less, x, [&] { w_.assign(to, plus(to, n(1))); });
+        return to;
+    }
+    Text outwards(const Text& v) {
+        if (has("round-outwards")) return call("round-outwards", v);
+        const Text x = hold(v), size = hold(call("abs", x)), to = copy(trunc(size));
+        w_.when(to, Operator::less, size, [&] { w_.assign(to, plus(to, n(1))); });
+        w_.when(x, Operator::less, n(0), [&] { w_.assign(to, minus(n(0), to)); });
         return to;
     }
     Text round(const Text& v) { return has("round") ? call("round", v) : down(plus(v, n(0.5))); }
@@ -185,6 +193,7 @@ Text Writing::function(const Expr& e, ExprId id) {
         case Function::trunc: return l.trunc(a[0]);
         case Function::round: return l.round(a[0]);
         case Function::round_up: return l.up(a[0]);
+        case Function::round_outwards: return l.outwards(a[0]);
         case Function::round_down: return l.down(a[0]);
         case Function::round_away: return l.round_away(a[0]);
         case Function::square: return l.square(a[0]);

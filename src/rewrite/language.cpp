@@ -27,7 +27,7 @@ constexpr std::array known_tables{
                "greater-equal and or not"},
     KnownTable{"functions",
                "sin cos tan asin acos asin-turn acos-turn atan atan2 atan2-turn angle-of sqrt abs square "
-               "trunc round round-away round-up round-down ln log10 exp min max bound fraction"},
+               "trunc round round-away round-up round-outwards round-down ln log10 exp min max bound fraction"},
     KnownTable{"parameters", "own declare"},
     KnownTable{
         "flow",

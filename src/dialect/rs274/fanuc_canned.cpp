@@ -32,20 +32,27 @@ constexpr std::array dwells{dwell, kept_q};
 constexpr std::array rigid{infeed, dwell};
 constexpr std::array haas_taps{dwell, kept_q, kept_j};
 constexpr std::array pecks{infeed, dwell};
-constexpr std::array shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell};
+/// Q of an oriented tool: its sign is ignored (B-63324EN, G76).
+constexpr CannedWord shift_by_q{Code::q, CycleRole::shift_u, true, 1, false, true};
+constexpr std::array shifts{shift_by_q, dwell};
 /// Z and R of back boring change places in the reader: R is the bottom, Z the end of the counterbore.
-constexpr std::array back{CannedWord{Code::q, CycleRole::shift_u, true, 1},
-                          CannedWord{Code::e, CycleRole::counterbore_top, true, 1},
+constexpr std::array back{shift_by_q, CannedWord{Code::e, CycleRole::counterbore_top, true, 1},
                           CannedWord{Code::p, CycleRole::dwell, false, 1}};
 constexpr std::array haas_pecks{infeed, dwell, CannedWord{Code::i, CycleRole::infeed, true, 1},
                                 CannedWord{Code::j, CycleRole::decrement, true, 1},
                                 CannedWord{Code::k, CycleRole::min_infeed, true, 1}};
-constexpr std::array haas_shifts{CannedWord{Code::q, CycleRole::shift_u, true, 1}, dwell,
-                                 CannedWord{Code::i, CycleRole::shift_u, true, 1},
+/// K of G73 beside Q: out to R whenever the infeeds have come to as much (Haas mill operator's manual, G73).
+constexpr CannedWord::Beside out_by_k{Code::q, Code::i, CycleRole::retract_every};
+constexpr std::array haas_chip_words{infeed, dwell, CannedWord{Code::i, CycleRole::infeed, true, 1},
+                                     CannedWord{Code::j, CycleRole::decrement, true, 1},
+                                     CannedWord{Code::k, CycleRole::min_infeed, true, 1, false, false, &out_by_k}};
+constexpr std::array haas_shifts{shift_by_q, dwell, CannedWord{Code::i, CycleRole::shift_u, true, 1},
                                  CannedWord{Code::j, CycleRole::shift_v, true, 1}};
 
 constexpr std::array unshifted{CycleValue{CycleRole::shift_u, 0}, CycleValue{CycleRole::shift_v, 0}};  ///< but by Q
 constexpr std::array chip_break{CycleValue{CycleRole::chip_break_distance, 1}};
+constexpr std::array haas_chip_break{CycleValue{CycleRole::chip_break_distance, 1},
+                                     CycleValue{CycleRole::stop_distance_first, 1}};
 constexpr std::array stop_above{CycleValue{CycleRole::stop_distance_first, 1}};
 constexpr std::array by_hand{CycleValue{CycleRole::manual_retract, 1}};
 constexpr std::array right{CycleValue{CycleRole::spindle_direction, 1}, CycleValue{CycleRole::starts_spindle, 1}};
@@ -77,7 +84,7 @@ constexpr std::array mill{
 };
 /// Haas G77 is FANUC's G87; its G86, G87 and G88 stop the spindle at the bottom.
 constexpr std::array haas{
-    CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_pecks, chip_break},
+    CannedCycle{730, CycleKind::canned_chip_break, "G73", haas_chip_words, haas_chip_break},
     CannedCycle{740, CycleKind::canned_tap_rigid, "G74", haas_taps, left},
     CannedCycle{760, CycleKind::canned_bore_orient, "G76", haas_shifts, unshifted},
     CannedCycle{810, CycleKind::canned_drill, "G81", plain, {}},

@@ -168,6 +168,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     // Haas Mill Operator's Manual 96-8000, G49: H0, G28, M30 and reset end tool length compensation, too.
     t.home_cancels_length = haas && !lathe;
     t.position_adds_in_increments = !haas;
+    t.position_reset_names_axes = true;
     t.unit_before_motion = true;
     t.begins_as_lathe = lathe;
     t.assumes_rest_of_centre = !haas;
@@ -201,7 +202,7 @@ constexpr std::array functions{
     FunctionName{"ACOS", Function::acos, Argument::one},    FunctionName{"ATAN", Function::atan2, Argument::either},
     FunctionName{"SQRT", Function::sqrt, Argument::one},    FunctionName{"SQR", Function::sqrt, Argument::one},
     FunctionName{"ABS", Function::abs, Argument::one},      FunctionName{"ROUND", Function::round_away, Argument::one},
-    FunctionName{"FIX", Function::trunc, Argument::one},    FunctionName{"FUP", Function::round_up, Argument::one},
+    FunctionName{"FIX", Function::trunc, Argument::one},    FunctionName{"FUP", Function::round_outwards, Argument::one},
     FunctionName{"LN", Function::ln, Argument::one},        FunctionName{"EXP", Function::exp, Argument::one},
     FunctionName{"BIN", Function::sign, Argument::refused}, FunctionName{"BCD", Function::sign, Argument::refused},
     FunctionName{"ADP", Function::sign, Argument::refused}, FunctionName{"POW", Function::sign, Argument::refused},

@@ -7,6 +7,16 @@ namespace obrys::interp {
 
 using cl::SettingKind;
 
+namespace {
+
+bool names_axes(const BlockWords& b) {
+    bool any = false;
+    for (int k = 0; k < 9; ++k) any = any || b.has(axis_code(k));
+    return any;
+}
+
+}  // namespace
+
 void set_plane(Moving& run, int plane) {
     tell(run, SettingKind::plane, plane);
     if (run.modal.plane == plane) return;
@@ -50,6 +60,8 @@ bool offset_word(Moving& run, Modal m, int number) {
         case Modal::position_becomes:
         case Modal::local_shift: b.special = m; [[fallthrough]];
         case Modal::position_reset:
+            if (run.traits->position_reset_names_axes && names_axes(b)) b.special = m;
+            [[fallthrough]];
         case Modal::position_suspend:
         case Modal::position_restore: shift_words(run, m); return true;
         case Modal::scaling_on:

@@ -83,6 +83,7 @@ void take_words(Cycling& run, const program::CannedCycle& c, const PlaneAxes& a)
         const program::CannedWord& w = c.words[i];
         if (run.block.has(w.code)) {
             s.values[i] = run.block.get(w.code) * (w.length ? unit : 1) * w.factor;
+            if (w.sign_ignored) s.values[i] = std::abs(s.values[i]);
             s.given[i] = true;
             if (w.role == CycleRole::dwell_bottom || w.role == CycleRole::dwell) s.last_dwell = s.values[i];
         } else if (run.traits->tap_keeps_dwell && taps(c.kind) && w.role == CycleRole::dwell && s.last_dwell) {
@@ -124,6 +125,18 @@ void add_heights(cycles::Demand& d, const Moving& run, const program::CannedCycl
     if (s.has_bottom) d.values.push_back({CycleRole::bottom, retract - std::abs(s.bottom)});
 }
 
+bool has_word(const program::CannedCycle& c, const CannedState& s, Code code) {
+    for (std::size_t i = 0; i < c.words.size() && i < s.given.size(); ++i)
+        if (c.words[i].code == code && s.given[i]) return true;
+    return false;
+}
+
+CycleRole role_of(const program::CannedCycle& c, const CannedState& s, std::size_t word) {
+    const program::CannedWord& w = c.words[word];
+    const bool beside = w.beside != nullptr && has_word(c, s, w.beside->word) && !has_word(c, s, w.beside->unless);
+    return beside ? w.beside->role : w.role;
+}
+
 cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
     const CannedState& s = run.canned;
     cycles::Demand d;
@@ -142,7 +155,7 @@ cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const
     }
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i] && (c.words[i].role != CycleRole::clearance || !run.traits->hole_depth_from_top))
-            d.values.push_back({c.words[i].role, s.values[i]});
+            d.values.push_back({role_of(c, s, i), s.values[i]});
     if (c.kind == cl::CycleKind::canned_tap_rigid && run.modal.feed_mode == cl::FeedMode::per_rev && run.feed_valid)
         d.values.push_back({CycleRole::pitch, run.feed});
     if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, length_unit(run.modal)});

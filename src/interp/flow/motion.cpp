@@ -133,6 +133,7 @@ std::optional<bool> special_motion(Cycling& run) {
         case Modal::set_data:
         case Modal::position_becomes:
         case Modal::local_shift:
+        case Modal::position_reset:
         case Modal::tool_length_by_axes: return false;
         case Modal::spline_cubic:
         case Modal::spline_quadratic:

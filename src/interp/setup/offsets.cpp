@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "base/number.hpp"
 #include "interp/setup/setup.hpp"
 
 namespace obrys::interp {
@@ -87,6 +88,16 @@ void becomes(Reckoning& run, std::size_t k, double to) {
 
 }  // namespace
 
+/// G92.1 X0: the axis counts from its zero again.
+void preset(Reckoning& run, std::size_t k, double value) {
+    run.offsets.shift[k] = 0;
+    if (value == 0) return;
+    unchecked(run, codes::value_range, run.here(),
+              "the words of a preset name its axes, and stand with 0: what " + axis_name(k) + base::shortest(value) +
+                  " does is not known; it is taken as 0",
+              "write " + axis_name(k) + "0");
+}
+
 /// The word of the axis is an increment: by its letter (U and W of lathes) or in G91.
 bool adds(const Moving& run, std::size_t k) {
     return run.block.ref(axis_code(static_cast<int>(k))) ==
@@ -104,11 +115,12 @@ void shift_words(Moving& run, Modal m) {
         if (v && m == Modal::position_becomes) becomes(run, k, adds(run, k) ? axis_coordinate(run, k) + *v : *v);
         if (v && m == Modal::position_becomes && k == 2) zero_set_here(run);
         if (v && m == Modal::local_shift) o.shift[k] = *v;
+        if (v && m == Modal::position_reset && run.block.special == m) preset(run, k, *v);
     }
     if (m != Modal::position_becomes) say_unknown_return(run);
     say_shift_from_before(run, m);
     if (m == Modal::position_becomes || m == Modal::local_shift) keep_shift(run);
-    if (m == Modal::position_reset || m == Modal::position_suspend) o.shift = {};
+    if (m == Modal::position_suspend || (m == Modal::position_reset && run.block.special != m)) o.shift = {};
     if (m == Modal::position_reset) keep_shift(run);
     if (m == Modal::position_restore) take_shift(run);
     if (p.shift_active != 0) {

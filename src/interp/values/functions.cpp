@@ -140,6 +140,7 @@ bool numeric(const Arguments& a, Function f, double& result) {
         case Function::trunc: result = std::trunc(a[0]); return true;
         case Function::round: result = std::floor(a[0] + 0.5); return true;
         case Function::round_up: result = std::ceil(a[0]); return true;
+        case Function::round_outwards: result = std::copysign(std::ceil(std::abs(a[0])), a[0]); return true;
         case Function::round_down: result = std::floor(a[0]); return true;
         case Function::round_away: result = std::round(a[0]); return true;
         case Function::ln: result = logarithm(a, "LN"); return true;
@@ -187,7 +188,8 @@ Value call_function(Reckoning& run, const Expr& e) {
     const auto f = static_cast<Function>(e.op);
     double result = 0;
     if (numeric(a, f, result)) {
-        const bool whole = f == Function::trunc || f == Function::round || f == Function::round_up;
+        const bool whole = f == Function::trunc || f == Function::round || f == Function::round_up ||
+                           f == Function::round_outwards;
         if (std::isinf(result) && !run.stopped)
             alarm(run, codes::arithmetic, a.whole(), "the result is too large for the control");
         return whole && !std::isnan(result) ? Value::integer(result) : Value::real(result);

@@ -9,11 +9,12 @@ namespace obrys::read::sinumerik {
 
 namespace {
 
-/// Words hardly any other control has, and signs of others.
-constexpr std::array<std::string_view, 24> own{"GOTOF", "GOTOB",    "ENDIF",   "ENDWHILE", "ENDLOOP", "ENDFOR",
-                                               "PROC ", "DEF REAL", "DEF INT", "MSG(",     "$AA_",    "$P_",
-                                               "$TC_",  "$MC_",     "DIAMON",  "DIAMOF",   "ATRANS",  "STOPRE",
-                                               "SUPA",  "LIMS=",    "CR=",     "MCALL",    "DISPLOF", "SETAL("};
+/// Words that no other control has, words that hardly any other has, and signs of others.
+constexpr std::array<std::string_view, 25> own{"PROC ",  "DEF REAL", "DEF INT", "$AA_",  "$P_",    "$TC_", "$MC_",
+                                               "DIAMON", "DIAMOF",   "ATRANS",  "AROT ", "STOPRE", "SUPA", "LIMS=",
+                                               "CR=",    "RND=",     "CHF=",    "CHR=",  "RNDM=",  "T=\"", "=IC(",
+                                               "=AC(",   "MCALL",    "DISPLOF", "SETAL("};
+constexpr std::array<std::string_view, 7> likely{"GOTOF", "GOTOB", "ENDIF", "ENDWHILE", "ENDLOOP", "ENDFOR", "MSG("};
 constexpr std::array<std::string_view, 9> foreign{"BEGIN PGM", "TOOL CALL", "END PGM", "G65 P", "G54.1",
                                                   "M98 P",     "LBL ",      "FMAX",    "#1"};
 
@@ -63,9 +64,15 @@ int likelihood(std::string_view text, std::string_view file_name, std::vector<st
         if (signs != nullptr) signs->emplace_back(base::trim(w));
     };
     if (text.find("%_N_") != std::string_view::npos) sign("%_N_");
+    constexpr int first_own = 12, each = 8;
     for (const std::string_view w : own) {
         const int n = count(code, w);
-        score += 8 * n;
+        score += (n > 0 ? first_own : 0) + each * n;
+        if (n > 0) sign(w);
+    }
+    for (const std::string_view w : likely) {
+        const int n = count(code, w);
+        score += each * n;
         if (n > 0) sign(w);
     }
     for (const std::string_view w : foreign) score -= 12 * count(code, w);

@@ -61,10 +61,12 @@ void keep_end(const LineWriter& w, char absolute, char incremental, std::string_
         }
 }
 
+/// FANUC writes R; Haas I along X and K along Z (lathe operator's manual, G90, G92, G94).
 void keep_taper(const LineWriter& w, bool fresh) {
-    if (Address* r = find_address(w.s, 'R')) {
-        r->used = true;
-        w.assign(taper, as_expr(w.s, scaled(w.s, r->value, Quantity::length)));
+    const char letter = !w.s.control.haas ? 'R' : w.s.turning == 940 ? 'K' : 'I';
+    if (Address* a = find_address(w.s, letter)) {
+        a->used = true;
+        w.assign(taper, as_expr(w.s, scaled(w.s, a->value, Quantity::length)));
     } else if (fresh) {
         w.assign(taper, w.number(0));
     }
