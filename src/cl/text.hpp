@@ -57,6 +57,8 @@ public:
         : sources_(sources), diagnostics_(diagnostics), file_(file) {}
     /// Hands on the record of the next line, if it has one; false behind the last line, and where it is no such text.
     bool step(Sink sink);
+    /// Where the line of the last record stands in the text.
+    [[nodiscard]] base::Span line() const { return line_; }
 
 private:
     void complain(std::size_t begin, std::size_t end, std::string message);
@@ -66,6 +68,7 @@ private:
     base::Diagnostics& diagnostics_;
     std::uint32_t file_;
     std::size_t at_ = 0;
+    base::Span line_;
     bool header_ = false;
     AxisEnds ends_;                                  ///< of the next move
     std::pair<std::size_t, std::size_t> last_axis_;  ///< line of the last of them

@@ -198,6 +198,7 @@ bool TextReader::step(Sink sink) {
         at_ = text.size();
         return false;
     }
+    line_ = {file_, static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(begin + line.size())};
     Words words(line);
     Record record;
     const bool is_axis = words.peek() == head<AxisEnd>;

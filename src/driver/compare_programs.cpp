@@ -1,9 +1,7 @@
 #include "driver/compare_programs.hpp"
 
-#include <fstream>
-
 #include "cl/text.hpp"
-#include "driver/files.hpp"
+#include "driver/stream_file.hpp"
 
 namespace obrys::driver {
 
@@ -67,23 +65,12 @@ cl::Recording recording_of(Session& session) {
     return out;
 }
 
-bool is_stream(const std::string& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string begin(7, ' ');
-    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
-    return in.gcount() == 7 && cl::text_header.starts_with(begin);
-}
-
-bool open_stream(const std::string& file, Session& session) {
-    session.program = session.input = file;
-    return load(*session.storage, file, session.sources, session.diagnostics).has_value();
-}
-
 bool run_anew(const Session& session, const Request& request, cl::Sink sink) {
     Session own;
     Request again = request;
     again.prints_nowhere = true;  // it has been run before
-    const bool opened = session.main == nullptr ? open_stream(session.program, own) : open(again, own);
+    if (session.main == nullptr) again.input = session.program;
+    const bool opened = session.main == nullptr ? open_stream(again, own) : open(again, own);
     if (!opened) return false;
     Records records(own, sink);
     while (records.step()) {

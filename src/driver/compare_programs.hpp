@@ -10,12 +10,6 @@ namespace obrys::driver {
 /// Runs a session's program and keeps its stream.
 [[nodiscard]] cl::Recording recording_of(Session& session);
 
-/// Whether the file is a CL stream in its text form.
-[[nodiscard]] bool is_stream(const std::string& file);
-/// Loads one in the place of a program; false, with what is wrong in the session's diagnostics, where it cannot be
-/// read.
-bool open_stream(const std::string& file, Session& session);
-
 /// Runs the program or the stream of a session once more, in a session of its own; false where it cannot be opened.
 [[nodiscard]] bool run_anew(const Session& session, const Request& request, cl::Sink sink);
 

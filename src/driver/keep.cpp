@@ -17,7 +17,7 @@ namespace codes = base::codes;
 
 std::optional<rewrite::Language> find_language(const std::string& name, Session& s) {
     const std::optional<std::uint32_t> file = load_post(name, s);
-    return file ? rewrite::read_language(*file, s.sources, s.diagnostics) : std::nullopt;
+    return file ? rewrite::read_language(*file, s.sources, s.diagnostics, beside_post(name, s)) : std::nullopt;
 }
 
 Kept keep(Session& s, const rewrite::Language& language, const std::string& name) {

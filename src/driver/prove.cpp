@@ -66,7 +66,7 @@ bool has_findings(const Session& s) {
 
 /// What the program says of its tools without setting it on a control holds for what was written from it, too.
 void take_described_tools(const Session& of, shop::Job& job) {
-    if (!of.main->traits->definitions_describe) return;
+    if (of.main == nullptr || !of.main->traits->definitions_describe) return;
     base::Diagnostics said_of_the_program;
     for (shop::Tool& tool : program_tools(*of.main, job.tools, said_of_the_program))
         job.tools.push_back(std::move(tool));
@@ -235,6 +235,11 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
                   const compare::Tolerance& tolerance) {
     constexpr int most_attempts = 16;
     Version best{post, {write_program(session, post, options), {}}};
+    if (best.settled.translated.ending == interp::Ending::budget) {
+        best.settled.proved.why_not = "the program does not end within the limits of its run";
+        tell(session, best.settled.translated);
+        return std::move(best.settled);
+    }
     best.settled.proved = hold_against(best.settled.translated, post, request, session, tolerance);
     /// Whether it is better so; then it counts.
     const auto better_by = [&](const write::Post& other) {

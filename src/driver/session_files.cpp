@@ -79,7 +79,8 @@ bool load_machine(Session& s, const fs::path& base_path, const std::string& name
     return true;
 }
 
-/// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
+}  // namespace
+
 bool load_named_machine(Session& s, const Request& request, const fs::path& job_path, bool& named) {
     const std::string name = !request.machine.empty() ? request.machine
                              : s.job.machine_is_file  ? s.job.machine_name
@@ -89,6 +90,8 @@ bool load_named_machine(Session& s, const Request& request, const fs::path& job_
     return name.empty() ||
            load_machine(s, by_call ? fs::path{} : job_path, name, by_call ? nowhere : s.job.machine_where);
 }
+
+namespace {
 
 /// Tables and forms lie where called programs do, or where the job says.
 void find_shop_files(Session& s, const Request& request, const fs::path& program) {

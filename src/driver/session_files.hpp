@@ -17,6 +17,9 @@ void load_configuration(Session& s, const Request& request);
 void load_backups(Session& s, const Request& request);
 /// Bodies are read when they are needed; that they are there is seen at once.
 void check_bodies(Session& s);
+/// The machine that the call or the job names; false where it cannot be read. `named`: there is one.
+[[nodiscard]] bool load_named_machine(Session& s, const Request& request, const std::filesystem::path& job_path,
+                                      bool& named);
 [[nodiscard]] bool read_main(Session& s, const Request& request, const std::filesystem::path& path);
 
 }  // namespace obrys::driver

@@ -6,6 +6,7 @@
 #include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
+#include "driver/stream_file.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -54,14 +55,17 @@ std::optional<std::uint32_t> load_post(const std::string& name, Session& s) {
     return std::nullopt;
 }
 
-std::optional<write::Post> find_post(const std::string& name, Session& s, PostFor way) {
-    const std::optional<std::uint32_t> file = load_post(name, s);
-    const auto beside_it = [&](const std::string& other, const base::Span& where) {
+write::LoadText beside_post(const std::string& name, Session& s) {
+    if (!name.ends_with(".toml")) return {};
+    return [name, &s](const std::string& other, const base::Span& where) {
         return load(*s.storage, beside(name, other), s.sources, s.diagnostics, where);
     };
+}
+
+std::optional<write::Post> find_post(const std::string& name, Session& s, PostFor way) {
+    const std::optional<std::uint32_t> file = load_post(name, s);
     if (!file) return std::nullopt;
-    if (!name.ends_with(".toml")) return checked(write::read_post(*file, s.sources, s.diagnostics), *file, s, way);
-    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_it), *file, s, way);
+    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_post(name, s)), *file, s, way);
 }
 
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
@@ -164,6 +168,10 @@ void lose_beginning_anew(Session& session, Ledger& ledger) {
 }  // namespace
 
 Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options) {
+    // A loop's passes are all written: what would be longer than any control's memory most likely never ends.
+    constexpr std::uint64_t most_written = 1'000'000;
+    if (std::uint64_t& passes = session.job.budgets.loop_passes; passes == shop::Budgets{}.loop_passes)
+        passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
     cl::Recording does;
@@ -171,7 +179,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     if (post.magazine) magazine.emplace(*post.magazine);
     const auto keep = [&](const cl::Record& record) { does.take(magazine ? by_its_place(record, *magazine) : record); };
     const auto stream = [&](cl::Sink sink) {
-        const interp::Outcome outcome = interpret(session, [&](const cl::Record& record) {
+        const interp::Outcome outcome = stream_of(session, [&](const cl::Record& record) {
             if (!post.staircase) keep(record);
             sink(record);
         });

@@ -26,6 +26,8 @@ enum class PostFor : std::uint8_t { moves, statements };
                                                    PostFor way = PostFor::moves);
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
+/// Loads what an own post names beside itself: hooks, the post that it extends. Nothing for shipped ones.
+[[nodiscard]] write::LoadText beside_post(const std::string& name, Session& session);
 
 /// By which of the post's forms a cycle is written.
 struct UsedForm {

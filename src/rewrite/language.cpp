@@ -183,10 +183,10 @@ std::string filled(std::string_view text, const Places& places) {
     return out;
 }
 
-std::optional<Language> read_language(std::uint32_t file, const base::Sources& sources,
-                                      base::Diagnostics& diagnostics) {
+std::optional<Language> read_language(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
+                                      const write::LoadText& load) {
     base::Sources texts;
-    const auto root = write::whole_post(file, sources, texts, diagnostics);
+    const auto root = write::whole_post(file, sources, texts, diagnostics, load);
     if (!root) return std::nullopt;
     base::Diagnostics own;
     Language l;

@@ -13,6 +13,7 @@
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/cycle.hpp"
+#include "write/post.hpp"
 
 namespace obrys::rewrite {
 
@@ -85,6 +86,6 @@ using Places = std::vector<std::pair<std::string_view, std::string>>;
 
 /// Of a post; nothing, with what is wrong in `diagnostics`, where it has no such tables or they cannot be used.
 [[nodiscard]] std::optional<Language> read_language(std::uint32_t file, const base::Sources& sources,
-                                                    base::Diagnostics& diagnostics);
+                                                    base::Diagnostics& diagnostics, const write::LoadText& load = {});
 
 }  // namespace obrys::rewrite

@@ -134,7 +134,8 @@ using LoadText = std::function<std::optional<std::uint32_t>(const std::string& n
 
 /// A post's file as it is written, with all that it extends below it; places in that lie in `texts`.
 [[nodiscard]] std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources,
-                                                    base::Sources& texts, base::Diagnostics& diagnostics);
+                                                    base::Sources& texts, base::Diagnostics& diagnostics,
+                                                    const LoadText& load = {});
 
 /// The shipped posts of folder posts/: name and text, built in.
 struct ShippedPost {

@@ -4,6 +4,7 @@
 
 #include "base/codes.hpp"
 #include "shop/files/section.hpp"
+#include "shop/nearest.hpp"
 #include "write/post.hpp"
 
 namespace obrys::write {
@@ -35,6 +36,21 @@ void erase_cycles(shop::Value& post, const shop::Value& kinds) {
                                 e.value.items.end());
 }
 
+/// A table, or several.
+bool holds_tables(const shop::Value& v) {
+    return v.kind == shop::ValueKind::table ||
+           (v.kind == shop::ValueKind::array && !v.items.empty() && v.items.front().kind == shop::ValueKind::table);
+}
+
+shop::Value listed(const shop::Value& tables) {
+    if (tables.kind == shop::ValueKind::array) return tables;
+    shop::Value out;
+    out.kind = shop::ValueKind::array;
+    out.where = tables.where;
+    out.items.push_back(tables);
+    return out;
+}
+
 /// What `over` says stands in the place of what `under` says; tables are joined, arrays of tables too, those of `over`
 /// first.
 shop::Value joined(const shop::Value& under, const shop::Value& over) {
@@ -52,13 +68,12 @@ shop::Value joined(const shop::Value& under, const shop::Value& over) {
             out.entries.push_back(e);
             continue;
         }
-        const bool tables = e.value.kind == shop::ValueKind::array && !e.value.items.empty() &&
-                            e.value.items.front().kind == shop::ValueKind::table;
         if (e.value.kind == shop::ValueKind::table && same->value.kind == shop::ValueKind::table) {
             same->value = joined(same->value, e.value);
-        } else if (tables && same->value.kind == shop::ValueKind::array) {
-            shop::Value all = e.value;
-            all.items.insert(all.items.end(), same->value.items.begin(), same->value.items.end());
+        } else if (holds_tables(e.value) && holds_tables(same->value)) {  // [datum] is one of [[datum]]
+            shop::Value all = listed(e.value);
+            const shop::Value below = listed(same->value);
+            all.items.insert(all.items.end(), below.items.begin(), below.items.end());
             same->value = std::move(all);
         } else {
             same->value = e.value;
@@ -70,25 +85,50 @@ shop::Value joined(const shop::Value& under, const shop::Value& over) {
 
 constexpr int deepest_extension = 8;
 
-/// The file with all that it extends below it. The texts of shipped posts are kept in `texts`, since places lie in
-/// them.
-std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& sources, base::Sources& texts,
-                                      base::Diagnostics& diagnostics, int depth) {
-    auto root = shop::parse_toml(file, sources, diagnostics);
+/// What whoever reads a post reads it with.
+struct From {
+    const base::Sources& sources;  ///< of own files
+    base::Sources& texts;          ///< of shipped ones: places lie in them
+    const LoadText& load;
+    base::Diagnostics& diagnostics;
+};
+
+std::nullopt_t refuse_extension(const From& from, const shop::Value& value, std::string text, std::string remedy) {
+    base::Diagnostic d;
+    d.severity = base::Severity::error;
+    d.code = codes::job_value;
+    d.where = value.where;
+    d.text = std::move(text);
+    d.remedy = std::move(remedy);
+    from.diagnostics.add(std::move(d));
+    return std::nullopt;
+}
+
+/// The file with all that it extends below it.
+std::optional<shop::Value> whole_file(std::uint32_t file, bool is_shipped, const From& from, int depth) {
+    auto root = shop::parse_toml(file, is_shipped ? from.texts : from.sources, from.diagnostics);
     if (!root) return std::nullopt;
     const Entry* e = shop::find(*root, "extends");
     if (!e) return root;
-    const ShippedPost* base = shipped_post(e->value.text);
-    if (base == nullptr || depth == deepest_extension) {
-        base::Diagnostic d;
-        d.code = codes::job_value;
-        d.where = e->value.where;
-        d.text = "there is no shipped post called '" + e->value.text + "'";
-        diagnostics.add(std::move(d));
-        return std::nullopt;
+    const std::string& name = e->value.text;
+    const std::string remedy =
+        "name one of: " + shop::joined(shipped_post_names()) + ", or a file (.toml) beside this one";
+    if (e->value.kind != shop::ValueKind::text)
+        return refuse_extension(from, e->value, "'extends' must be the name of a post", remedy);
+    if (depth == deepest_extension)
+        return refuse_extension(
+            from, e->value,
+            "posts extend each other in a circle, or more than " + std::to_string(deepest_extension) + " deep",
+            "let the last one stand alone");
+    std::optional<shop::Value> under;
+    if (name.ends_with(".toml") && from.load) {
+        const auto own = from.load(name, e->value.where);
+        if (own) under = whole_file(*own, false, from, depth + 1);
+    } else if (const ShippedPost* base = shipped_post(name)) {
+        under = whole_file(from.texts.add(std::string(base->name), std::string(base->text)), true, from, depth + 1);
+    } else {
+        return refuse_extension(from, e->value, "there is no shipped post called '" + name + "'", remedy);
     }
-    const std::uint32_t text = texts.add(std::string(base->name), std::string(base->text));
-    const auto under = whole_file(text, texts, texts, diagnostics, depth + 1);
     if (!under) return std::nullopt;
     return joined(*under, *root);
 }
@@ -96,8 +136,8 @@ std::optional<shop::Value> whole_file(std::uint32_t file, const base::Sources& s
 }  // namespace
 
 std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources, base::Sources& texts,
-                                      base::Diagnostics& diagnostics) {
-    return whole_file(file, sources, texts, diagnostics, 0);
+                                      base::Diagnostics& diagnostics, const LoadText& load) {
+    return whole_file(file, false, {sources, texts, load, diagnostics}, 0);
 }
 
 }  // namespace obrys::write

@@ -229,7 +229,7 @@ private:
         BlockNumbers numbers;
         if (const Template t = blocks(s, "text"); !t.empty()) numbers.text = t.front();
         numbers.skip = s.texts("skip");
-        numbers.first = s.number("first").value_or(numbers.first);
+        if (const auto n = s.integer("first", 0, 99'999'999)) numbers.first = static_cast<double>(*n);
         numbers.step = s.number("step", shop::Range::positive).value_or(numbers.step);
         s.finish();
         post_.numbers = std::move(numbers);
@@ -330,7 +330,7 @@ private:
 std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
                               const LoadText& load) {
     base::Sources texts;
-    const auto root = whole_post(file, sources, texts, diagnostics);
+    const auto root = whole_post(file, sources, texts, diagnostics, load);
     if (!root) return std::nullopt;
     base::Diagnostics own;
     Section section(*root, "the post", own);

@@ -13,6 +13,7 @@
 #include "driver/documents/plot_difference.hpp"
 #include "driver/keep.hpp"
 #include "driver/not_run.hpp"
+#include "driver/stream_file.hpp"
 #include "milled.hpp"
 #include "session.hpp"
 
@@ -63,7 +64,8 @@ void open_side(const Arguments& a, const std::string& input, Side& side) {
     Arguments own = a;
     own.request = side.request;
     if (!driver::is_stream(input)) return static_cast<void>(side.is_open = open(own, side.session));
-    side.is_open = driver::open_stream(input, side.session);
+    own.request.input = input;
+    side.is_open = driver::open_stream(own.request, side.session);
     if (!side.is_open) print_diagnostics(side.session, base::Severity::warning);
 }
 

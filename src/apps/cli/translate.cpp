@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "commands.hpp"
+#include "driver/stream_file.hpp"
 #include "session.hpp"
 #include "translate_kept.hpp"
 #include "translated.hpp"
@@ -66,22 +67,36 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
         std::fputs("obrys: nothing is written, since something is lost or differs; --accept-loss writes it\n", stderr);
     if (!may_write_all(a, s, target, t, a.ledger)) return 2;
     const bool written = (!ledger.written || deliver_all(target, t)) && deliver_ledger(a.ledger, ledger);
-    if (!written || s.files->failed() || run == 2) return 2;
+    if (!written || (s.files != nullptr && s.files->failed()) || run == 2) return 2;
     if (refused) return 1;
     return run == 3 || proof.proof == driver::Proof::not_compared ? 3 : run == 1 || lost ? 1 : 0;
 }
 
 }  // namespace
 
+/// A program, or a CL stream in its text form; false, with what is wrong printed, where it cannot be read.
+static bool opened(const Arguments& a, driver::Session& s) {
+    if (!driver::is_stream(a.request.input)) return open(a, s);
+    if (a.keep)
+        return std::fputs("obrys: --keep writes statements, and a CL stream has none: leave it out\n", stderr), false;
+    if (driver::open_stream(a.request, s)) return true;
+    print_diagnostics(s, base::Severity::warning);
+    return false;
+}
+
 int translate(const Arguments& arguments) {
     Arguments a = arguments;
     a.into_folder = is_folder(a.output);
     driver::Session s;
-    if (!open(a, s)) return 2;
+    if (!opened(a, s)) return 2;
     const std::optional<write::Post> post =
         driver::find_post(a.to, s, a.keep ? driver::PostFor::statements : driver::PostFor::moves);
     if (!post) {
         print_diagnostics(s, base::Severity::warning);
+        return 2;
+    }
+    if (post->is_canon && s.main == nullptr) {
+        std::fputs("obrys: canonical calls follow the words of a program, and a CL stream has none\n", stderr);
         return 2;
     }
     if (a.keep && (post->staircase || post->tape != write::Tape::none)) {

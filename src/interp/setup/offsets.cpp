@@ -93,8 +93,8 @@ void preset(Reckoning& run, std::size_t k, double value) {
     run.offsets.shift[k] = 0;
     if (value == 0) return;
     unchecked(run, codes::value_range, run.here(),
-              "the words of a preset name its axes, and stand with 0: what " + axis_name(k) + base::shortest(value) +
-                  " does is not known; it is taken as 0",
+              "the words beside this one name the axes that count from their zero again, and stand with 0: what " +
+                  axis_name(k) + base::shortest(value) + " does is not known; it is taken as 0",
               "write " + axis_name(k) + "0");
 }
 

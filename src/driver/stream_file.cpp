@@ -1,0 +1,47 @@
+#include "driver/stream_file.hpp"
+
+#include <fstream>
+
+#include "driver/files.hpp"
+#include "driver/session_files.hpp"
+#include "shop/files/obrys/machine_file.hpp"
+
+namespace obrys::driver {
+
+bool is_stream(const std::string& file) {
+    std::ifstream in(file, std::ios::binary);
+    std::string begin(7, ' ');
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    return in.gcount() == 7 && cl::text_header.starts_with(begin);
+}
+
+bool open_stream(const Request& request, Session& session) {
+    session.storage = request.folders->storage();
+    session.program = session.input = request.input;
+    if (!load(*session.storage, request.input, session.sources, session.diagnostics)) return false;
+    bool named = false;
+    if (!load_named_machine(session, request, request.input, named)) return false;
+    if (named) return true;
+    shop::use_machine(session.job, *shop::shipped_machine("mill-generic"));
+    session.job.machine.more_axes = true;
+    return true;
+}
+
+interp::Outcome stream_of(Session& session, cl::Sink sink) {
+    if (session.main != nullptr) return interpret(session, sink);
+    cl::TextReader reader(session.sources, 0, session.diagnostics);
+    base::Span of_program, here;  // the places of a program that is not at hand: records of one block stay together
+    const auto place = [&](const cl::Record& record) {
+        if (!(record.from == of_program)) here = reader.line();
+        of_program = record.from;
+        cl::Record placed = record;
+        placed.from = here;
+        placed.stack = 0;
+        sink(placed);
+    };
+    while (reader.step(place)) {
+    }
+    return {};
+}
+
+}  // namespace obrys::driver
