@@ -52,7 +52,8 @@ bool Ledger::add(const write::Note& note) {
 void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending) {
     for (const base::Diagnostic& d : s.diagnostics.all()) {
         const bool said = d.code == codes::no_effect;  // and left out
-        if (said ? is_written(ledger, d.text) : !leaves_out(d.code)) continue;
+        const bool describes = said && s.main != nullptr && s.main->traits->definitions_describe;  // CL data: the job
+        if (describes || (said ? is_written(ledger, d.text) : !leaves_out(d.code))) continue;
         write::Note note;
         note.what = d.text;
         if (said) note.fate = write::Fate::expanded;
