@@ -173,6 +173,8 @@ struct Traits {
     bool helix_lead_across = false;
     /// Setting the position (G92) in G91 adds to the coordinates; else they become what the block says.
     bool position_adds_in_increments = false;
+    /// Called programs one in another that every series of the control takes; 0: they all take the same.
+    std::uint32_t common_call_levels = 0;
     /// Axis words beside the word that takes such shifts back (G92.1 X0) name its axes; else they are a way.
     bool position_reset_names_axes = false;
     /// The unit of length (G20, G21) is said before the first move and may not change behind it.

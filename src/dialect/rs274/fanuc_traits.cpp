@@ -169,6 +169,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.home_cancels_length = haas && !lathe;
     t.position_adds_in_increments = !haas;
     t.position_reset_names_axes = true;
+    if (!haas) t.common_call_levels = 4;  // four to ten by series (cnc.wiki, "Writing and calling subprograms")
     t.unit_before_motion = true;
     t.begins_as_lathe = lathe;
     t.assumes_rest_of_centre = !haas;
@@ -197,15 +198,24 @@ constexpr std::array operators{
 };
 /// FIX cuts off, FUP goes away from zero (B-63684EN, 16.3).
 constexpr std::array functions{
-    FunctionName{"SIN", Function::sin, Argument::one},      FunctionName{"COS", Function::cos, Argument::one},
-    FunctionName{"TAN", Function::tan, Argument::one},      FunctionName{"ASIN", Function::asin, Argument::one},
-    FunctionName{"ACOS", Function::acos, Argument::one},    FunctionName{"ATAN", Function::atan2, Argument::either},
-    FunctionName{"SQRT", Function::sqrt, Argument::one},    FunctionName{"SQR", Function::sqrt, Argument::one},
-    FunctionName{"ABS", Function::abs, Argument::one},      FunctionName{"ROUND", Function::round_away, Argument::one},
-    FunctionName{"FIX", Function::trunc, Argument::one},    FunctionName{"FUP", Function::round_outwards, Argument::one},
-    FunctionName{"LN", Function::ln, Argument::one},        FunctionName{"EXP", Function::exp, Argument::one},
-    FunctionName{"BIN", Function::sign, Argument::refused}, FunctionName{"BCD", Function::sign, Argument::refused},
-    FunctionName{"ADP", Function::sign, Argument::refused}, FunctionName{"POW", Function::sign, Argument::refused},
+    FunctionName{"SIN", Function::sin, Argument::one},
+    FunctionName{"COS", Function::cos, Argument::one},
+    FunctionName{"TAN", Function::tan, Argument::one},
+    FunctionName{"ASIN", Function::asin, Argument::one},
+    FunctionName{"ACOS", Function::acos, Argument::one},
+    FunctionName{"ATAN", Function::atan2, Argument::either},
+    FunctionName{"SQRT", Function::sqrt, Argument::one},
+    FunctionName{"SQR", Function::sqrt, Argument::one},
+    FunctionName{"ABS", Function::abs, Argument::one},
+    FunctionName{"ROUND", Function::round_away, Argument::one},
+    FunctionName{"FIX", Function::trunc, Argument::one},
+    FunctionName{"FUP", Function::round_outwards, Argument::one},
+    FunctionName{"LN", Function::ln, Argument::one},
+    FunctionName{"EXP", Function::exp, Argument::one},
+    FunctionName{"BIN", Function::sign, Argument::refused},
+    FunctionName{"BCD", Function::sign, Argument::refused},
+    FunctionName{"ADP", Function::sign, Argument::refused},
+    FunctionName{"POW", Function::sign, Argument::refused},
 };
 
 constexpr GIndex no_g = [] {

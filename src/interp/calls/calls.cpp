@@ -81,6 +81,12 @@ void enter(Calling& run, const Unit& unit, const Call* call, const base::Span& w
         run.ending = Ending::budget;
         return;
     }
+    const std::uint32_t common = run.traits->common_call_levels;
+    if (common != 0 && run.calls.size() > common)
+        assume(run, where,
+               "programs call each other more than " + std::to_string(common) +
+                   " levels deep, at which some series of the control stop: this one is taken to go on",
+               "call fewer from each other");
     settle_motion(run);
     Activation callee;
     callee.unit = &unit;
