@@ -12,8 +12,8 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-int PathStage::keep(const cl::Record& record) {
-    events_.push_back(record);
+int PathStage::keep(cl::Record&& record) {
+    events_.push_back(std::move(record));
     return static_cast<int>(events_.size()) - 1;
 }
 
@@ -104,7 +104,7 @@ void PathStage::output(Telling& run, const path::Output& out) {
     run.ends = later;
 }
 
-void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
+void PathStage::hold(cl::Record record) { waiting_.push_back(keep(std::move(record))); }
 
 void PathStage::say_open_corner(Reckoning& run) {
     const auto tag = path_.open_corner();
