@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/whole.hpp"
@@ -108,9 +109,9 @@ void emit_element(Telling& run, const path::Element& e, bool rapid, bool in_stre
     const PlaneView view(run, in_stream);
     if (path::is_arc(e)) {
         lead_to_arc(run, view, e, rapid);
-        const std::optional<cl::Arc> arc = view.arc(e, rapid);
+        std::optional<cl::Arc> arc = view.arc(e, rapid);
         if (!arc) return circle_alarm(run, run.record.from);
-        put_step(run.record.step, *arc);
+        put_step(run.record.step, std::move(*arc));
     } else {
         put_step(run.record.step, view.line(e, rapid));
     }

@@ -2,6 +2,8 @@
 /// The stream: records, the frame and zero they stand in, brackets, and how contours come into it. Private to interp.
 
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -148,14 +150,15 @@ void lead_to_place(Telling&);
 // --- emit.cpp
 /// Most records are followed by one of their kind: then there is nothing to take apart.
 template <class T>
-void put_step(cl::Step& step, const T& next) {
+void put_step(cl::Step& step, T&& next) {
+    static_assert(!std::is_reference_v<T>, "what is put in goes over");
     if (T* last = std::get_if<T>(&step))
-        *last = next;
+        *last = std::move(next);
     else
-        step = next;
+        step = std::move(next);
 }
 void emit(Telling&, cl::Step step);
-void emit_line(Telling&, const cl::Linear&);  ///< the same, of a straight move
+void emit_line(Telling&, cl::Linear);  ///< the same, of a straight move
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Telling&);
