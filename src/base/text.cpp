@@ -66,14 +66,26 @@ void append_utf8(std::string& out, char32_t c) {
     }
 }
 
+/// None of so many bytes, a multiple of eight, is above 127.
+template <std::size_t count>
+bool is_ascii(const char* bytes) {
+    std::uint64_t words[count / sizeof(std::uint64_t)], any = 0;
+    std::memcpy(words, bytes, sizeof words);
+    for (const std::uint64_t w : words) any |= w;
+    return (any & 0x8080808080808080u) == 0;
+}
+
 }  // namespace
 
 bool is_utf8(std::string_view s) {
     for (std::size_t i = 0; i < s.size();) {
-        std::uint64_t eight = 0;  // programs are ASCII but for comments: eight bytes at a time while none is above 127
-        if (i + 8 <= s.size()) std::memcpy(&eight, s.data() + i, 8);
-        if (i + 8 <= s.size() && (eight & 0x8080808080808080u) == 0) {
-            i += 8;
+        constexpr std::size_t many = 64, few = 8;  // programs are ASCII but for comments
+        if (i + many <= s.size() && is_ascii<many>(s.data() + i)) {
+            i += many;
+            continue;
+        }
+        if (i + few <= s.size() && is_ascii<few>(s.data() + i)) {
+            i += few;
             continue;
         }
         const std::size_t n = utf8_length(s, i);

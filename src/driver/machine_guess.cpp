@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,7 @@
 
 namespace obrys::driver {
 
+using program::bit;
 using program::Code;
 using program::Modal;
 
@@ -65,18 +67,21 @@ struct Found {
     bool told = false;
 };
 
-/// Whether a word can still tell anything. Nearly every block has X and Y words, and G0 to G3, and only the first
-/// ones tell.
-bool tells_more(const Found& found, const program::Unit& unit, const program::Word& w) {
+/// Codes of words that can still tell something. Nearly every block has X and Y words, and only the first ones tell.
+std::uint64_t telling(const Found& found) {
+    std::uint64_t codes = bit(Code::modal) | bit(Code::m) | bit(Code::speed_limit) | bit(Code::named_value);
+    if (!found.told && !found.x) codes |= bit(Code::x);
+    if (!found.mill) codes |= bit(Code::y);
+    return codes;
+}
+
+/// Whether the word is one of these; G0 to G3 tell nothing.
+bool tells_more(std::uint64_t codes, const program::Unit& unit, const program::Word& w) {
+    const auto has = [&](Code c) { return static_cast<unsigned>(c) < program::value_codes && (codes & bit(c)) != 0; };
     const Code code = program::code_of(w);
-    switch (code == Code::named_value ? unit.address(w) : code) {
-        case Code::x: return !found.told && !found.x;
-        case Code::y: return !found.mill;
-        case Code::modal: return program::modal_of(w) > Modal::arc_ccw;
-        case Code::m:
-        case Code::speed_limit: return true;
-        default: return false;
-    }
+    if (!has(code)) return false;
+    if (code == Code::modal) return program::modal_of(w) > Modal::arc_ccw;
+    return code != Code::named_value || has(unit.address(w));
 }
 
 void take(Found& found, const program::Unit& unit, const program::Statement& s, const program::Word& w) {
@@ -102,10 +107,15 @@ Found find_signs(const program::Unit& unit) {
     Found found;
     if (unit.statements.empty()) return found;
     const auto behind = [](std::uint32_t i, const program::Statement& s) { return i < s.first; };
-    for (std::uint32_t i = unit.statements.front().first; i < unit.words.size(); ++i) {
-        if (!tells_more(found, unit, unit.words[i])) continue;
-        const auto next = std::upper_bound(unit.statements.begin(), unit.statements.end(), i, behind);
-        take(found, unit, *(next - 1), unit.words[i]);
+    std::uint64_t codes = telling(found);
+    const std::span<const program::Word> words(unit.words);
+    for (const program::Word& w : words.subspan(unit.statements.front().first)) {
+        if (w.code < program::value_codes && (codes >> w.code & 1U) == 0) continue;
+        if (!tells_more(codes, unit, w)) continue;
+        const auto at = static_cast<std::uint32_t>(&w - words.data());
+        const auto next = std::upper_bound(unit.statements.begin(), unit.statements.end(), at, behind);
+        take(found, unit, *(next - 1), w);
+        codes = telling(found);
     }
     return found;
 }

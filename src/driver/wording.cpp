@@ -1,7 +1,8 @@
 #include "driver/wording.hpp"
 
 #include <array>
-#include <regex>
+
+#include "base/text.hpp"
 
 namespace obrys::driver {
 
@@ -128,15 +129,31 @@ std::string in_words_of(std::string_view control, std::string text) {
 
 namespace {
 
+bool is_of_word(char c) { return base::is_letter(c) || is_digit(c) || c == '_'; }
+
+std::string digits_at(const std::string& text, std::size_t at) {
+    std::size_t end = at;
+    while (end < text.size() && is_digit(text[end])) ++end;
+    return text.substr(at, end - at);
+}
+
 /// "tool T2 D1", of the stream, as the control's programmer writes it: "tool T0201", or "tool T2" where there is no D.
 std::string tools_in_words_of(std::string_view control, bool offset_numbers, std::string text) {
     if (control.starts_with("sinumerik") || control.starts_with("heidenhain")) return text;
-    static const std::regex named(R"(\btool T(\d+) D(\d+)\b)");
-    std::smatch found;
-    if (!std::regex_search(text, found, named)) return text;
+    constexpr std::string_view before = "tool T", between = " D";
     const auto two = [](const std::string& digits) { return digits.size() < 2 ? "0" + digits : digits; };
-    const std::string name = offset_numbers ? two(found[1].str()) + two(found[2].str()) : found[1].str();
-    return found.prefix().str() + "tool T" + name + found.suffix().str();
+    for (std::size_t at = text.find(before); at != std::string::npos; at = text.find(before, at + 1)) {
+        if (at > 0 && is_of_word(text[at - 1])) continue;
+        const std::string number = digits_at(text, at + before.size());
+        const std::size_t behind = at + before.size() + number.size();
+        if (number.empty() || text.compare(behind, between.size(), between) != 0) continue;
+        const std::string edge = digits_at(text, behind + between.size());
+        const std::size_t end = behind + between.size() + edge.size();
+        if (edge.empty() || (end < text.size() && is_of_word(text[end]))) continue;
+        return text.replace(at + before.size(), end - at - before.size(),
+                            offset_numbers ? two(number) + two(edge) : number);
+    }
+    return text;
 }
 
 /// Where edges are no words of the control its programmer is not asked for one.

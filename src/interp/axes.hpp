@@ -37,7 +37,7 @@ struct PlaneAxes {
     return {0, 1, 2};
 }
 [[nodiscard]] inline geom::Vec2 in_plane(const geom::Vec3& v, const PlaneAxes& a) {
-    return {coordinate(v, a.u), coordinate(v, a.v)};
+    return a.w == 2 ? geom::Vec2{v.x, v.y} : a.w == 1 ? geom::Vec2{v.z, v.x} : geom::Vec2{v.y, v.z};
 }
 
 }  // namespace obrys::interp

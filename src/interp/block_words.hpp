@@ -91,4 +91,17 @@ struct BlockWords {
     void clear();
 };
 
+/// Kinds of plain blocks that have been run since anything but blocks of these kinds was (flow/alike.cpp).
+struct PlainKinds {
+    struct Kind {
+        std::uint64_t words = 0;  ///< what they are, in their order; 0: no kind
+        Modal motion = Modal::linear;
+    };
+    std::array<Kind, 16> kinds{};
+    bool any = false;
+    void forget() {
+        if (any) *this = {};
+    }
+};
+
 }  // namespace obrys::interp

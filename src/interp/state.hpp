@@ -188,6 +188,7 @@ struct Moving : Telling {
     using Telling::Telling;
 
     BlockWords block;
+    PlainKinds plain_kinds;
     CannedState canned;
     ControlCurve curve;
     geom::Vec3 last_spline_end;  ///< P and Q of the last G5, mm

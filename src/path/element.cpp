@@ -11,12 +11,10 @@ Vec2 rotated(Vec2 v, double angle) {
     return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
-bool moves_in_plane(const Element& e) {
+bool hardly_moves_in_plane(const Element& e) {
     if (is_arc(e)) return planar_length(e) > same_point && geom::distance(e.from, e.centre) > same_point;
     return geom::distance(e.from, e.to) > same_point;
 }
-
-bool moves(const Element& e) { return moves_in_plane(e) || std::abs(e.w_to - e.w_from) > same_point; }
 
 namespace {
 

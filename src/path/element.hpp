@@ -3,6 +3,7 @@
 /// radius compensation work on these. Plane coordinates (u, v) are right-handed seen against the plane normal
 /// (G17: X Y, G18: Z X, G19: Y Z), w runs along the normal; millimetres and radians.
 
+#include <cmath>
 #include <cstdint>
 #include <vector>
 
@@ -26,10 +27,19 @@ struct Element {
 };
 
 [[nodiscard]] inline bool is_arc(const Element& e) { return e.sweep != 0; }
+/// moves_in_plane of what is not long at the first look.
+[[nodiscard]] bool hardly_moves_in_plane(const Element& e);
 /// False where the plane coordinates stay (a plunge along w, or nothing at all).
-[[nodiscard]] bool moves_in_plane(const Element& e);
+[[nodiscard]] inline bool moves_in_plane(const Element& e) {
+    constexpr double clearly = 1e-3;  // mm, rad: together still far above same_point
+    const geom::Vec2 way = is_arc(e) ? e.from - e.centre : e.to - e.from;
+    const bool is_long = std::abs(way.x) > clearly || std::abs(way.y) > clearly;
+    return (is_long && (!is_arc(e) || std::abs(e.sweep) > clearly)) || hardly_moves_in_plane(e);
+}
 /// False where nothing moves at all.
-[[nodiscard]] bool moves(const Element& e);
+[[nodiscard]] inline bool moves(const Element& e) {
+    return moves_in_plane(e) || std::abs(e.w_to - e.w_from) > same_point;
+}
 /// Unit tangents in the direction of motion; require moves_in_plane.
 [[nodiscard]] geom::Vec2 start_direction(const Element& e);
 [[nodiscard]] geom::Vec2 end_direction(const Element& e);

@@ -4,10 +4,6 @@
 
 namespace obrys::program {
 
-namespace {
-constexpr std::array<double, 10> power_of_ten{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
-}
-
 std::optional<NameId> Names::find(std::string_view upper) const {
     if (const auto found = index_.find(upper); found != index_.end()) return found->second;
     return below_ == nullptr ? std::nullopt : below_->find(upper);
@@ -31,11 +27,6 @@ void Unit::reserve(std::size_t bytes) {
     words.reserve(bytes / 3 + 1);
     base::prefer_large_pages(statements.data(), statements.capacity() * sizeof(Statement));
     base::prefer_large_pages(words.data(), words.capacity() * sizeof(Word));
-}
-
-double Unit::literal(const Word& w) const {
-    if (form_of(w) == Form::pooled) return numbers[static_cast<std::size_t>(w.payload)];
-    return static_cast<double>(w.payload) / power_of_ten[w.form];
 }
 
 }  // namespace obrys::program

@@ -333,7 +333,11 @@ struct Unit {
     /// machine only where the tree comes to fill it.
     void reserve(std::size_t bytes);
     /// Value of a literal word.
-    [[nodiscard]] double literal(const Word& w) const;
+    [[nodiscard]] double literal(const Word& w) const {
+        constexpr std::array<double, 10> power_of_ten{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+        if (form_of(w) == Form::pooled) return numbers[static_cast<std::size_t>(w.payload)];
+        return static_cast<double>(w.payload) / power_of_ten[w.form];
+    }
     /// What a word is; of an extended address (T1=) what it is without its extension.
     [[nodiscard]] Code address(const Word& w) const {
         return code_of(w) == Code::named_value ? named[static_cast<std::size_t>(w.payload)].plain : code_of(w);

@@ -92,6 +92,8 @@ void run_text(Calling&, const program::ProcedureCall&);
 // --- gather.cpp
 /// Gathers one word into the block; shared by blocks and frame statements.
 void gather(Calling&, const program::Statement&, const program::Word&);
+/// A word whose number is an expression.
+void put_expression(Calling&, const program::Statement&, const program::Word&);
 void take_effect(Moving& run);
 
 // --- path_words.cpp

@@ -115,6 +115,15 @@ void act(Moving& run) {
 
 }  // namespace
 
+void put_expression(Calling& run, const program::Statement& s, const Word& w) {
+    const auto id = static_cast<ExprId>(w.payload);
+    const double v = number(run, id);
+    if (std::isnan(v) && run.clock_asked && run.capture == nullptr)
+        unchecked_once(run, codes::unknown_value, run.unit().span(s, w),
+                       "this word depends on a value that is not known: the program asks for the date or the time");
+    run.block.put(program::code_of(w), v, reference_of(run.unit().exprs[id]));
+}
+
 void gather(Calling& run, const program::Statement& s, const Word& w) {
     const Code code = program::code_of(w);
     if (program::form_of(w) == Form::expression && is_empty(run, static_cast<ExprId>(w.payload))) return;
@@ -143,13 +152,8 @@ void gather(Calling& run, const program::Statement& s, const Word& w) {
         run.block.put(code, run.unit().literal(w));
         return;
     }
-    const auto id = static_cast<ExprId>(w.payload);
-    const double v = program::form_of(w) == Form::expression ? number(run, id) : 0;
-    if (std::isnan(v) && run.clock_asked && run.capture == nullptr)
-        unchecked_once(run, codes::unknown_value, run.unit().span(s, w),
-                       "this word depends on a value that is not known: the program asks for the date or the time");
-    run.block.put(code, v,
-                  program::form_of(w) == Form::expression ? reference_of(run.unit().exprs[id]) : std::uint8_t{0});
+    if (program::form_of(w) == Form::expression) return put_expression(run, s, w);
+    run.block.put(code, 0);
 }
 
 }  // namespace obrys::interp

@@ -112,10 +112,16 @@ void emit_step(Telling& run, cl::Step step) {
         thread->to = place(thread->to);
         thread->axis = run.tool_axis;
     } else if (auto* arc = std::get_if<cl::Arc>(&step)) {
-        const std::optional<PlaneMove> placed = plane_move(run, plane_arc(*arc), arc->rapid);
-        if (!placed) return circle_alarm(run, run.here());
+        const PlaneView view(run);
+        const path::Element element = plane_arc(*arc);
+        const bool rapid = arc->rapid;
+        const std::optional<cl::Arc> placed = path::is_arc(element) ? view.arc(element, rapid) : std::nullopt;
+        if (path::is_arc(element) && !placed) return circle_alarm(run, run.here());
         place(arc->to);
-        std::visit([&step](const auto& move) { step = move; }, *placed);
+        if (placed)
+            step = *placed;
+        else
+            step = view.line(element, rapid);
     }
     emit(run, std::move(step));
 }
@@ -131,7 +137,7 @@ void path_step(Moving& run, cl::Step step) {
     const geom::Vec3 from = into_plane(run.programmed_position, a);
     e.from = {from.x, from.y};
     e.w_from = from.z;
-    plane_element(run, e, out_of_plane(arc->to, a), false);
+    plane_element(run, std::move(e), out_of_plane(arc->to, a), false);
 }
 
 void emit_steps(Telling& run, std::vector<cl::Step>& steps) {

@@ -2,6 +2,7 @@
 
 #include "interp/flow/flow.hpp"
 #include "base/text.hpp"
+#include "interp/flow/plain_block.hpp"
 
 namespace obrys::interp {
 
@@ -52,10 +53,7 @@ bool run_plain(Cycling& run, const Statement& s, std::uint32_t index) {
     }
 }
 
-}  // namespace
-
-void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
-    settle_motion(run);
+void run_by_kind(Cycling& run, const Statement& s, std::uint32_t index) {
     const Unit& unit = run.unit();
     if (run.look > Look::next_element && say_foreign_statement(run, s)) return;
     if (run_plain(run, s, index)) return;
@@ -100,6 +98,17 @@ void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
             return define(run, unit.defines[table], run.top().locals, unit);
         default: return;
     }
+}
+
+}  // namespace
+
+void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
+    settle_motion(run);
+    if (begins_plain(run, s) && runs_plain_block(run, s, index)) return;
+    const bool keeps = run.plain_kinds.any && keeps_plain_kinds(run, s, index);
+    if (!keeps) run.plain_kinds.forget();
+    run_by_kind(run, s, index);
+    if (!keeps) run.plain_kinds.forget();  // of blocks that it has run itself
 }
 
 }  // namespace obrys::interp

@@ -16,10 +16,13 @@ void step(RunState&);  ///< the next statement of the program
 void run_statement(Cycling&, const program::Statement&, std::uint32_t index);
 
 // --- block.cpp
-void run_block(Cycling&, const program::Statement&, std::uint32_t index);
+/// True where it moved and has come to its end.
+bool run_block(Cycling&, const program::Statement&, std::uint32_t index);
 
 // --- motion.cpp
 [[nodiscard]] bool motion(Cycling&);  ///< true where the block moved
+/// The way to where the words of the block lead, straight or by an arc, and nothing else that they may mean.
+[[nodiscard]] bool path_motion(Moving&);
 
 // --- special.cpp
 /// A block with data of its own (special.cpp).

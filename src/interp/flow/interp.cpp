@@ -26,6 +26,7 @@ void say_not_skipped(Saying& run, const program::Statement& s) {
 void end_of_section(Moving& run) {
     Activation& act = run.top();
     ActiveSection& section = act.sections.back();
+    run.plain_kinds.forget();
     if (section.pass > 1) end_part(run);
     if (section.left > 1) {
         --section.left;
@@ -46,6 +47,7 @@ void step(RunState& run) {
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;
     if (act.pc >= act.unit->statements.size()) {
+        run.plain_kinds.forget();
         const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
         if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
         if (run.stopped) return;

@@ -83,6 +83,8 @@ bool probe(Moving& run) {
     return true;
 }
 
+}  // namespace
+
 bool path_motion(Moving& run) {
     const BlockWords& b = run.block;
     const Modal m = run.modal.motion;
@@ -103,6 +105,8 @@ bool path_motion(Moving& run) {
     }
     return thread_motion(run, to);
 }
+
+namespace {
 
 /// G80 ends the cycle, and the controls' descriptions differ in which motion then holds: rapid, or the one before.
 void say_rapid_by_cancel(Reckoning& run) {

@@ -95,7 +95,7 @@ void push_approach(Moving& run, const path::SmoothPath& p, const path::Setting& 
         path::Setting s;
         if (i + 1 == p.path.size()) s = compensation;
         s.approach = path::Approach::ready;
-        run.path->push(run, p.path[i], s);
+        run.path->push(run, path::Element(p.path[i]), s);
     }
 }
 
@@ -189,7 +189,7 @@ void departure(Moving& run, const Special& s, Modal compensation_before) {
         own_feed(run, true);
         path::Setting ready;
         ready.approach = path::Approach::ready;
-        for (const path::Element& e : p.path) run.path->push(run, e, ready);
+        for (const path::Element& e : p.path) run.path->push(run, path::Element(e), ready);
         flush_path(run);
         own_feed(run, false);
         run.path->tell_lead_end(run);

@@ -49,9 +49,11 @@ void arc_alarm(Moving& run, const path::ArcResult& r) {
 namespace {
 
 bool has_unknown_circle_word(const Moving& run) {
-    for (const Code c : {Code::i, Code::j, Code::k, Code::i1, Code::j1, Code::k1, Code::radius, Code::opening_angle,
-                         Code::turns, Code::pole_angle})
-        if (run.block.has(c) && std::isnan(run.block.peek(c))) return true;
+    constexpr std::uint64_t words = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::i1) | bit(Code::j1) |
+                                    bit(Code::k1) | bit(Code::radius) | bit(Code::opening_angle) | bit(Code::turns) |
+                                    bit(Code::pole_angle);
+    for (std::uint64_t left = run.block.present & words; left != 0; left &= left - 1)
+        if (std::isnan(run.block.peek(static_cast<Code>(std::countr_zero(left))))) return true;
     return run.traits->arc_turns_in_p && run.block.has(Code::p) && std::isnan(run.block.peek(Code::p));
 }
 
@@ -121,8 +123,9 @@ bool stays(Moving& run, const path::ArcResult& arc) {
 /// A control that moves the centre takes an end beside the circle within a part of its radius. Where the end lies
 /// nearly in line with centre and start no centre fits, and what path it runs is not known.
 bool no_centre_fits(Saying& run, const path::ArcResult& arc, Vec2 from, const path::ArcTolerance& t) {
+    if (t.keep_centre) return false;
     const double gap = std::abs(geom::distance(from, arc.centre) - geom::distance(arc.to, arc.centre));
-    if (t.keep_centre || gap <= cl::circle_tolerance) return false;
+    if (gap <= cl::circle_tolerance) return false;
     unchecked(run, codes::arc_radius, run.here(),
               "the end point lies " + base::fixed(gap, 3) +
                   " mm beside the circle through the start point, and no centre near the programmed one fits: how the "

@@ -97,7 +97,7 @@ void aim_tool(Moving&);
 // --- plane_element.cpp
 /// Runs an element of the working plane that ends at `to` (programmed frame), through the path stage where it is at
 /// work.
-void plane_element(Moving&, path::Element element, const geom::Vec3& to, bool rapid);
+void plane_element(Moving&, path::Element&& element, const geom::Vec3& to, bool rapid);
 
 // --- free_contour.cpp
 /// FL, FLT, FC, FCT, FPOL, FSELECT (free_contour.cpp).

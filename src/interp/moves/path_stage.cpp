@@ -89,14 +89,14 @@ double pulled_out(const Reckoning& run) {
 
 }  // namespace
 
-void PathStage::push(Moving& run, path::Element e, bool rapid) {
+void PathStage::push(Moving& run, path::Element&& e, bool rapid) {
     const path::Setting s = compensation_setting(run);
     tell_begin(run, s);
     tell_programmed(run, e, rapid);
     take(run, std::move(e), s, rapid);
 }
 
-void PathStage::push(Moving& run, path::Element e, const path::Setting& s) {
+void PathStage::push(Moving& run, path::Element&& e, const path::Setting& s) {
     tell_begin(run, s);
     take(run, std::move(e), s, false);
 }
@@ -129,7 +129,7 @@ void PathStage::tell_programmed(Moving& run, const path::Element& e, bool rapid)
         corner.kind != path::CornerKind::none && std::isfinite(corner.size))
         p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size, p->corner_feed = corner_feed(run);
     p->ends = run.ends;
-    hold({*p, run.here(), run.top().stack});
+    hold({std::move(*p), run.here(), run.top().stack});
 }
 
 namespace {
@@ -144,8 +144,10 @@ void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const pat
     if (!path::moves_in_plane(e)) return;
     constexpr double straight_on = 1e-3;  // rad
     const program::IdleBlocks& limit = run.traits->compensation_idle_blocks;
+    block_moved_ = true;
+    if (limit.seen_past == 0) return;
     const bool joined = active_ && direction_ && s.side != path::Side::off && s.side == side_;
-    if (joined && limit.seen_past != 0 && idle_blocks_ > limit.seen_past &&
+    if (joined && idle_blocks_ > limit.seen_past &&
         std::abs(path::turn_between(*direction_, path::start_direction(e))) > straight_on)
         unchecked(
             run, codes::unsupported, run.here(),
@@ -155,12 +157,11 @@ void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const pat
                 std::to_string(limit.seen_past) + ", and behind more " + std::string(limit.beyond),
             "write them beside a move, before the compensation or behind it");
     idle_blocks_ = 0;
-    block_moved_ = true;
     side_ = s.side;
     direction_ = path::end_direction(e);
 }
 
-void PathStage::take(Moving& run, path::Element e, const path::Setting& s, bool rapid) {
+void PathStage::take(Moving& run, path::Element&& e, const path::Setting& s, bool rapid) {
     judge_idle_blocks(run, e, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);

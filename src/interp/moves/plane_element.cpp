@@ -38,16 +38,17 @@ path::Element in_fixed_plane(Moving& run, const path::Element& e) {
     return out;
 }
 
-void push_element(Moving& run, path::Element e, bool rapid) {
+void push_element(Moving& run, path::Element&& e, bool rapid) {
     const bool fixed = compensates_in_fixed_plane(run);
     if (fixed != run.path->in_fixed_plane() && run.path->active()) flush_path(run);
     run.path->set_fixed_plane(fixed);
-    run.path->push(run, fixed ? in_fixed_plane(run, e) : std::move(e), rapid);
+    if (fixed) e = in_fixed_plane(run, e);
+    run.path->push(run, std::move(e), rapid);
 }
 
 }  // namespace
 
-void plane_element(Moving& run, path::Element e, const Vec3& to, bool rapid) {
+void plane_element(Moving& run, path::Element&& e, const Vec3& to, bool rapid) {
     rapid = rapid || run.block.rapid;
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
@@ -70,16 +71,15 @@ void plane_element(Moving& run, path::Element e, const Vec3& to, bool rapid) {
 
 std::optional<cl::Programmed> programmed_element(const Reckoning& run, const path::Element& e, bool rapid,
                                                  bool in_stream_already) {
-    const std::optional<PlaneMove> move = plane_move(run, e, rapid, in_stream_already);
-    if (!move) return std::nullopt;
-    cl::Programmed p;
-    p.rapid = rapid;
-    p.from = in_stream_already ? in_space(plane_axes(run.modal.plane), e.from, e.w_from)
-                               : point_in_stream(run, e.from, e.w_from);
-    if (const auto* arc = std::get_if<cl::Arc>(&*move))
-        p.to = arc->to, p.centre = arc->centre, p.normal = arc->normal, p.sweep = arc->sweep;
-    else
-        p.to = std::get<cl::Linear>(*move).to;
+    const PlaneView view(run, in_stream_already);
+    std::optional<cl::Programmed> p{std::in_place};
+    p->rapid = rapid;
+    p->from = view.at(e.from, e.w_from);
+    p->to = view.at(e.to, e.w_to);
+    if (!path::is_arc(e)) return p;
+    const std::optional<cl::Arc> arc = view.arc(e, rapid);
+    if (!arc) return std::nullopt;
+    p->centre = arc->centre, p->normal = arc->normal, p->sweep = arc->sweep;
     return p;
 }
 

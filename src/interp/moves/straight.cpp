@@ -85,10 +85,16 @@ void refuse_way_round(Saying& run, int axis) {
 geom::Vec3 cartesian_target(Moving& run) {
     const BlockWords& b = run.block;
     geom::Vec3 to = run.programmed_position;
+    const ModalState& m = run.modal;
+    const bool as_written = m.absolute && !m.inch_geometry && m.diameter == DiameterMode::off;
     for (int k = 0; k < 3; ++k) {
         const Code code = axis_code(k);
         if (!b.has(code)) continue;
         const std::uint8_t reference = b.ref(code);
+        if (as_written && reference == 0) {
+            coordinate(to, k) = b.get(code);
+            continue;
+        }
         const bool incremental = is_incremental(run, reference);
         const double factor = reference == 0 ? length_factor(run, k, incremental) : word_factor(run, k, reference);
         const double v = b.get(code) * factor;

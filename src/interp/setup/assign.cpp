@@ -126,6 +126,8 @@ void assign_variable(Reckoning& run, const Expr& target, const program::Assign& 
 
 void assign_value(Reckoning& run, const program::Assign& a, double index, double value) {
     const Expr& target = run.unit().exprs[a.target];
+    if (target.kind == ExprKind::parameter && is_programs_own(run, target.a))
+        return assign_number(run, target.a, a.value, value, run.unit().span(a.target));
     if (target.kind == ExprKind::variable) return create_variable(run, target.a, value);
     if (target.kind != ExprKind::parameter && target.kind != ExprKind::parameter_at)
         return alarm(run, codes::syntax, run.unit().span(a.target), "this can only be read");

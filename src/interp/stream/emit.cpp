@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "interp/stream/path_stage.hpp"
@@ -31,9 +32,9 @@ void emit(Telling& run, cl::Step step) {
     send_record(run);
 }
 
-void emit_line(Telling& run, const cl::Linear& line) {
+void emit_line(Telling& run, cl::Linear line) {
     if (run.capture != nullptr) return;
-    put_step(run.record.step, line);
+    put_step(run.record.step, std::move(line));
     send_record(run);
 }
 

@@ -12,8 +12,8 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
-int PathStage::keep(const cl::Record& record) {
-    events_.push_back(record);
+int PathStage::keep(cl::Record&& record) {
+    events_.push_back(std::move(record));
     return static_cast<int>(events_.size()) - 1;
 }
 
@@ -84,7 +84,7 @@ void PathStage::output(Telling& run, const path::Output& out) {
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     Origin& origin = origins_[out.element.tag];
-    const cl::AxisEnds later = std::exchange(run.ends, std::exchange(origin.ends, {}));
+    cl::AxisEnds later = std::exchange(run.ends, std::exchange(origin.ends, {}));
     run.record.from = origin.from;
     run.record.stack = origin.stack;
     run.feed_shape.plunge = origin.plunge_part;
@@ -101,10 +101,10 @@ void PathStage::output(Telling& run, const path::Output& out) {
         emit_one(out.element);
     else
         for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
-    run.ends = later;
+    run.ends = std::move(later);
 }
 
-void PathStage::hold(const cl::Record& record) { waiting_.push_back(keep(record)); }
+void PathStage::hold(cl::Record record) { waiting_.push_back(keep(std::move(record))); }
 
 void PathStage::say_open_corner(Reckoning& run) {
     const auto tag = path_.open_corner();

@@ -20,13 +20,13 @@ public:
     [[nodiscard]] bool in_fixed_plane() const { return active_ && fixed_plane_; }
     void set_fixed_plane(bool fixed) { fixed_plane_ = fixed; }
     /// Takes one element of the block being run, in plane coordinates of the programmed frame.
-    void push(Moving&, path::Element element, bool rapid);
+    void push(Moving&, path::Element&& element, bool rapid);
     /// As above with a setting of its own, of an element that nobody has programmed.
-    void push(Moving&, path::Element element, const path::Setting& setting);
+    void push(Moving&, path::Element&& element, const path::Setting& setting);
     /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
     void end_block(const Reckoning&);
     /// Keeps a record that must come out before the next element.
-    void hold(const cl::Record& record);
+    void hold(cl::Record record);
     /// The block that ends compensation has been read.
     void switch_off(Telling&);
     /// Emits everything held back.
@@ -64,11 +64,11 @@ private:
     void say_open_corner(Reckoning& run);
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Moving&);
-    void take(Moving&, path::Element element, const path::Setting& setting, bool rapid);
+    void take(Moving&, path::Element&& element, const path::Setting& setting, bool rapid);
     void send_event(Telling&, const cl::Record& record);
     void tell_begin(Moving&, const path::Setting& s);
     void tell_programmed(Moving&, const path::Element& e, bool rapid);
-    [[nodiscard]] int keep(const cl::Record& record);
+    [[nodiscard]] int keep(cl::Record&& record);
     [[nodiscard]] int feed_event(const Reckoning&, double feed);
     void output(Telling&, const path::Output& out);
     void report(Reckoning&, const path::PathFaults& faults);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/whole.hpp"
@@ -30,25 +31,29 @@ bool compensates_in_fixed_plane(const Telling& run) {
 
 namespace {
 
-PlaneMove move_in_stream(const Reckoning& run, const path::Element& e, bool rapid) {
-    const PlaneAxes a = plane_axes(run.modal.plane);
-    const Vec3 to = in_space(a, e.to, e.w_to);
-    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    return cl::Arc{to, in_space(a, e.centre, e.w_from), in_space(a, {}, 1), e.sweep, rapid, run.tool_axis};
+/// A circle of the working plane stays one.
+bool keeps_circles(const Reckoning& run) {
+    if (run.frame_is_identity || geom::is_shift_only(run.frame)) return true;
+    const Vec3 zero = point_in_stream(run, {}, 0);
+    const Vec3 u = point_in_stream(run, {1, 0}, 0) - zero, v = point_in_stream(run, {0, 1}, 0) - zero;
+    return !(std::abs(geom::length(u) - geom::length(v)) > 1e-9);
 }
 
 }  // namespace
 
-std::optional<PlaneMove> plane_move(const Reckoning& run, const path::Element& e, bool rapid, bool in_stream_already) {
-    if (in_stream_already) return move_in_stream(run, e, rapid);
-    const Vec3 to = point_in_stream(run, e.to, e.w_to);
-    if (!path::is_arc(e)) return cl::Linear{to, run.tool_axis, rapid};
-    if (!run.frame_is_identity && !geom::is_shift_only(run.frame)) {
-        const Vec3 zero = point_in_stream(run, {}, 0);
-        const Vec3 u = point_in_stream(run, {1, 0}, 0) - zero, v = point_in_stream(run, {0, 1}, 0) - zero;
-        if (std::abs(geom::length(u) - geom::length(v)) > 1e-9) return std::nullopt;
-    }
-    return cl::Arc{to, point_in_stream(run, e.centre, e.w_from), plane_normal(run), e.sweep, rapid, run.tool_axis};
+PlaneView::PlaneView(const Reckoning& run, bool in_stream_already)
+    : run_(run), axes_(plane_axes(run.modal.plane)), as_it_is_(in_stream_already || run.frame_is_identity) {}
+
+std::optional<cl::Arc> PlaneView::arc(const path::Element& e, bool rapid) const {
+    if (as_it_is_)
+        return cl::Arc{at(e.to, e.w_to), at(e.centre, e.w_from), in_space(axes_, {}, 1), e.sweep, rapid,
+                       run_.tool_axis};
+    if (!keeps_circles(run_)) return std::nullopt;
+    return cl::Arc{at(e.to, e.w_to), at(e.centre, e.w_from), plane_normal(run_), e.sweep, rapid, run_.tool_axis};
+}
+
+cl::Linear PlaneView::line(const path::Element& e, bool rapid) const {
+    return {at(e.to, e.w_to), run_.tool_axis, rapid};
 }
 
 Vec3 plane_normal(const Reckoning& run) {
@@ -71,13 +76,10 @@ namespace {
 
 /// An arc has no start of its own in the stream: where what was refused, or a new frame, has left the tool beside it, a
 /// straight move leads to it. Every arc of the working plane passes here, whoever made it.
-void lead_to_arc(Telling& run, const path::Element& e, bool rapid, bool in_stream_already) {
-    const PlaneAxes a = plane_axes(run.modal.plane);
-    const auto in_its_frame = [&](Vec2 p, double w) {
-        return in_stream_already ? in_space(a, p, w) : point_in_stream(run, p, w);
-    };
-    const Vec3 start = in_its_frame(e.from, e.w_from), gap = run.sent - start;
-    const Vec3 along = in_its_frame(e.from, e.w_from + 1) - start;  // how far the arc rises is no matter of its circle
+void lead_to_arc(Telling& run, const PlaneView& view, const path::Element& e, bool rapid) {
+    const Vec3 start = view.at(e.from, e.w_from), gap = run.sent - start;
+    if (gap == Vec3{}) return;
+    const Vec3 along = view.at(e.from, e.w_from + 1) - start;  // how far the arc rises is no matter of its circle
     const Vec3 beside = gap - (geom::dot(gap, along) / geom::dot(along, along)) * along;
     if (!(geom::length(beside) > stream_joined)) return;
     run.record.step = cl::Linear{start, run.tool_axis, rapid};
@@ -87,8 +89,9 @@ void lead_to_arc(Telling& run, const path::Element& e, bool rapid, bool in_strea
 /// The radii at both ends differ by no more than those of a programmed arc may (arc.cpp), and by what moved ends add
 /// where the control keeps its centre (path::HeldMoveLimits).
 bool is_on_its_circle(const Reckoning& run, const path::Element& e) {
-    const path::ArcTolerance t = arc_tolerance(run);
     const double start = geom::distance(e.from, e.centre), end = geom::distance(e.to, e.centre);
+    if (std::abs(start - end) <= stream_joined) return true;
+    const path::ArcTolerance t = arc_tolerance(run);
     const double allowed = t.keep_centre ? 2 * std::max(t.absolute, t.relative * std::max(start, end))
                                          : cl::circle_tolerance + stream_joined;
     return !(std::abs(start - end) > allowed);
@@ -103,10 +106,15 @@ void emit_element(Telling& run, const path::Element& e, bool rapid, bool in_stre
                   "switch the compensation off and on again where the contour is broken");
         return emit_element(run, path::line(e.from, e.to, e.w_to), rapid, in_stream);
     }
-    if (path::is_arc(e)) lead_to_arc(run, e, rapid, in_stream);
-    const std::optional<PlaneMove> move = plane_move(run, e, rapid, in_stream);
-    if (!move) return circle_alarm(run, run.record.from);
-    std::visit([&run](const auto& m) { put_step(run.record.step, m); }, *move);
+    const PlaneView view(run, in_stream);
+    if (path::is_arc(e)) {
+        lead_to_arc(run, view, e, rapid);
+        std::optional<cl::Arc> arc = view.arc(e, rapid);
+        if (!arc) return circle_alarm(run, run.record.from);
+        put_step(run.record.step, std::move(*arc));
+    } else {
+        put_step(run.record.step, view.line(e, rapid));
+    }
     send(run, run.record);
 }
 

@@ -2,6 +2,8 @@
 /// The stream: records, the frame and zero they stand in, brackets, and how contours come into it. Private to interp.
 
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -109,11 +111,7 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
 
 // --- plane_move.cpp
 [[nodiscard]] inline geom::Vec3 in_space(const PlaneAxes& a, geom::Vec2 p, double w) {
-    geom::Vec3 v;
-    coordinate(v, a.u) = p.x;
-    coordinate(v, a.v) = p.y;
-    coordinate(v, a.w) = w;
-    return v;
+    return a.w == 2 ? geom::Vec3{p.x, p.y, w} : a.w == 1 ? geom::Vec3{p.y, w, p.x} : geom::Vec3{w, p.x, p.y};
 }
 /// A point of the working plane in the stream's frame.
 [[nodiscard]] inline geom::Vec3 point_in_stream(const Reckoning& run, geom::Vec2 p, double w) {
@@ -124,11 +122,25 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
 [[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
 /// Of the working plane, in the stream's frame, as frames turn it.
 [[nodiscard]] geom::Vec3 plane_normal(const Reckoning&);
-using PlaneMove = std::variant<cl::Linear, cl::Arc>;
-/// An element of the working plane as a move of the stream; nothing where scaling leaves no circle of an arc.
-/// `in_stream`: the element is in the stream's frame, not in the programmed one.
-[[nodiscard]] std::optional<PlaneMove> plane_move(const Reckoning&, const path::Element& element, bool rapid,
-                                                  bool in_stream = false);
+/// Elements of the working plane as moves of the stream.
+class PlaneView {
+public:
+    /// `in_stream`: the elements are in the stream's frame, not in the programmed one.
+    explicit PlaneView(const Reckoning&, bool in_stream = false);
+    /// A point of the plane in the stream's frame.
+    [[nodiscard]] geom::Vec3 at(geom::Vec2 p, double w) const {
+        const geom::Vec3 v = in_space(axes_, p, w);
+        return as_it_is_ ? v : geom::apply(run_.frame, v);
+    }
+    [[nodiscard]] cl::Linear line(const path::Element&, bool rapid) const;
+    /// Nothing where scaling leaves no circle of it.
+    [[nodiscard]] std::optional<cl::Arc> arc(const path::Element&, bool rapid) const;
+
+private:
+    const Reckoning& run_;
+    PlaneAxes axes_;
+    bool as_it_is_;
+};
 void circle_alarm(Saying&, const base::Span& where);
 /// Before an arc that no path stage makes: to where the program stands, if compensation has left the tool beside it.
 void lead_to_place(Telling&);
@@ -138,14 +150,15 @@ void lead_to_place(Telling&);
 // --- emit.cpp
 /// Most records are followed by one of their kind: then there is nothing to take apart.
 template <class T>
-void put_step(cl::Step& step, const T& next) {
+void put_step(cl::Step& step, T&& next) {
+    static_assert(!std::is_reference_v<T>, "what is put in goes over");
     if (T* last = std::get_if<T>(&step))
-        *last = next;
+        *last = std::move(next);
     else
-        step = next;
+        step = std::move(next);
 }
 void emit(Telling&, cl::Step step);
-void emit_line(Telling&, const cl::Linear&);  ///< the same, of a straight move
+void emit_line(Telling&, cl::Linear);  ///< the same, of a straight move
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Telling&);

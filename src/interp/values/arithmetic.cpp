@@ -39,7 +39,7 @@ std::int32_t bits(double v) {
 }
 
 double checked(Saying& run, const Expr& e, double v) {
-    if (std::isnan(v) || std::abs(v) <= 1e300) return v;  // unknown operands give an unknown result
+    if (std::isnan(v) || std::abs(v) <= largest_result) return v;  // unknown operands give an unknown result
     alarm(run, codes::arithmetic, span_of(run, e), "the result is too large for the control");
     return 0;
 }

@@ -97,10 +97,20 @@ double variable_number(Reckoning& run, const Expr& e, ExprId id) {
     return 0;
 }
 
+/// `number` of what expressions are mostly made of, without going into it.
+inline double operand(Reckoning& run, const Unit& unit, ExprId id) {
+    if (id == program::no_expr) return 0;
+    const Expr& e = unit.exprs[id];
+    if (e.kind == ExprKind::number) return unit.numbers[e.a];
+    if (e.kind == ExprKind::parameter && e.a < run.parameters.count() && run.parameters.is_set(e.a))
+        if (const double v = run.parameters.get(e.a); !std::isnan(v)) return v;
+    return number(run, id);
+}
+
 double function_number(Reckoning& run, const Expr& e, ExprId id) {
     const auto f = static_cast<Function>(e.op);
     if (e.count == 1 && (f == Function::sin || f == Function::cos) && run.unit().children[e.b] != program::no_expr) {
-        const double a = geom::radians(number(run, run.unit().children[e.b]));
+        const double a = geom::radians(operand(run, run.unit(), run.unit().children[e.b]));
         return f == Function::sin ? std::sin(a) : std::cos(a);
     }
     const Value v = call_function(run, e);
@@ -108,6 +118,16 @@ double function_number(Reckoning& run, const Expr& e, ExprId id) {
     alarm(run, codes::type_mismatch, run.unit().span(id),
           "a number is needed here, this is a " + std::string(name(v.type)));
     return 0;
+}
+
+/// `binary_number` of known operands where nothing is to be said; NaN: it has to look.
+inline double plain_result(Operator op, double a, double b) {
+    double v = std::numeric_limits<double>::quiet_NaN();
+    if (op == Operator::add) v = a + b;
+    if (op == Operator::subtract) v = a - b;
+    if (op == Operator::multiply) v = a * b;
+    if (op == Operator::divide && b != 0) v = a / b;
+    return std::abs(v) <= largest_result ? v : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace
@@ -126,13 +146,15 @@ double number(Reckoning& run, ExprId id) {
         case ExprKind::parameter_at: return parameter_value(run, e, number(run, e.a));
         case ExprKind::binary:
             if (is_numeric(static_cast<Operator>(e.op))) {
-                const double a = number(run, e.a);
-                const double b = number(run, e.b);
-                return run.stopped ? 0 : binary_number(run, e, a, b);
+                const double a = operand(run, unit, e.a);
+                const double b = operand(run, unit, e.b);
+                if (run.stopped) return 0;
+                const double v = plain_result(static_cast<Operator>(e.op), a, b);
+                return std::isnan(v) ? binary_number(run, e, a, b) : v;
             }
             break;
         case ExprKind::unary: {
-            const double a = number(run, e.a);
+            const double a = operand(run, unit, e.a);
             switch (static_cast<Operator>(e.op)) {
                 case Operator::negate: return -a;
                 case Operator::logical_not: return std::isnan(a) ? a : a == 0 ? 1 : 0;

@@ -36,6 +36,17 @@ namespace obrys::interp {
 [[nodiscard]] double programmed_coordinate(const Reckoning&, const std::string& axis);
 /// The axis of the program that a machine axis called X1, AX1 or MX1 is; nothing where the name is none such.
 [[nodiscard]] std::optional<std::string> machine_axis_name(const Saying&, const std::string& name);
+/// Greater results of operators are too large for every control.
+inline constexpr double largest_result = 1e300;
+/// Writing it changes nothing but itself: the control shows nothing there, keeps nothing that acts, and has it.
+[[nodiscard]] inline bool is_programs_own(const Reckoning& run, std::uint32_t n) {
+    const program::Traits& t = *run.traits;
+    const bool shown = !t.live.empty() && n >= t.live.front().first;  // the lowest stands first
+    if (shown || n == 0 || n >= run.parameters.count() || (n >= t.absent_first && n <= t.absent_last)) return false;
+    for (const program::KeptParameters& k : t.kept)
+        if (k.acts && n >= k.first && n <= k.last) return false;
+    return true;
+}
 /// Whether a word with this reference (0 = as the modal state says) is incremental.
 [[nodiscard]] inline bool is_incremental(const Reckoning& run, std::uint8_t reference) {
     using program::Reference;

@@ -26,23 +26,21 @@ constexpr std::array<Modal, 4> motions{Modal::rapid, Modal::linear, Modal::arc_c
 constexpr unsigned arc_letters = static_cast<unsigned>(Code::i);
 constexpr std::ptrdiff_t longest_line = 4000;  ///< bytes that a word's offset can count
 
+constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
+static_assert(arc_letters > static_cast<unsigned>(Code::w));
+
 struct Plain {
     std::uint64_t seen = 0;
     int motion = -1;
     Word g{}, feed{};
 };
 
-constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
-static_assert(arc_letters > static_cast<unsigned>(Code::w));
-
-/// A word at `p`; false where the full reader is needed.
-bool read_plain_word(program::Unit& unit, const char*& p, const char* line, Plain& block) {
-    const Code code = letters[static_cast<unsigned char>(*p)];
-    if (code == Code::control) return false;
+/// A word at `p`, whose letter means `code`; false where the full reader is needed.
+inline bool read_plain_word(program::Unit& unit, Code code, const char*& p, const char* line, Plain& block) {
     const char* digits = p + 1;
     while (base::is_blank(*digits)) ++digits;
     const base::ShortNumber n = base::scan_short_number(digits, false);
-    if (n.end == nullptr || n.end - line > longest_line || *n.end == '.') return false;
+    if (n.end == nullptr) return false;
     const auto offset = static_cast<std::uint32_t>(p - line), length = static_cast<std::uint32_t>(n.end - p);
     p = n.end;
     if (code == Code::modal) {
@@ -64,6 +62,27 @@ bool read_plain_word(program::Unit& unit, const char*& p, const char* line, Plai
     return true;
 }
 
+/// The words from `p` to the end of the line, where `p` stands then; their end. Null where the full reader is needed.
+const char* read_plain_words(program::Unit& unit, const char*& p, const char* end, const char* line, Plain& block) {
+    const char* last = p;
+    while (p < end) {
+        const auto c = static_cast<unsigned char>(*p);
+        const Code code = letters[c];
+        if (code != Code::control) {
+            if (!read_plain_word(unit, code, p, line, block)) return nullptr;
+            last = p;
+            if (*p == ' ') ++p;
+        } else if (c == '\n') {
+            break;
+        } else if (base::is_blank(*p) || c == '\r') {
+            ++p;
+        } else {
+            return nullptr;
+        }
+    }
+    return last - line > longest_line ? nullptr : last;
+}
+
 }  // namespace
 
 const char* read_literal_block(State& s, const char* p, const char* end) {
@@ -77,20 +96,10 @@ const char* read_literal_block(State& s, const char* p, const char* end) {
         while (base::is_digit(*p)) ++p;
         if (p == digits) return nullptr;
     }
-    const char* last = p;
-    bool plain = true;
-    while (plain && p < end) {
-        if (base::is_blank(*p) || *p == '\r') {
-            ++p;
-            continue;
-        }
-        if (*p == '\n') break;
-        plain = read_plain_word(unit, p, line, block);
-        last = p;
-    }
+    const char* last = read_plain_words(unit, p, end, line, block);
     const bool gap = p > line + 1 && block.motion < 0 && block.seen == 0;  // a block number alone
     const bool too_long = s.variant.longest_line > 0 && p - line > s.variant.longest_line;
-    if (!plain || gap || too_long || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
+    if (last == nullptr || gap || too_long || ((block.seen & of_arcs) != 0 && block.motion >= 0 && block.motion < 2)) {
         unit.words.resize(first);
         return nullptr;
     }
