@@ -109,9 +109,9 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     for (int round = 0; round < most_rounds; ++round) {
         if (stop && stop()) return;
         if (round > 0) cells = new_cells(fine, known);
-        const std::vector<Vec3> edges =
-            edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
-        places.insert(places.end(), edges.begin(), edges.end());
+        const Edges edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
+        places.insert(places.end(), edges.places.begin(), edges.places.end());
+        for (const Vec3& p : edges.unjudged) fine.leave_open(p);
         const mesh::Mesh now = mesh();
         std::vector<Unshown> wrong = unshown(now, places, lattice, wanted * tolerance);
         for (const Unshown& u : unshown(now, points, lattice, wanted * tolerance)) wrong.push_back(u);

@@ -13,11 +13,13 @@ namespace {
 using geom::Vec3;
 
 constexpr double blunt = 0.9;  ///< cosine between two faces' directions from which on planes alone tell of an edge
-constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a part of a cell
-constexpr std::size_t most_parts = 200;                  ///< of a group of cells
-constexpr double smallest_part = 0.06;                   ///< steps: half of one that is not divided any more
-constexpr double part_margin = 0.25;                     ///< of a part's size: how far around it is looked
-constexpr double same_face = 0.05;  ///< of what bodies may reach over a place: hidden but for so much
+constexpr std::size_t most_faces = 20,
+                      most_pairs = 60;     ///< that are looked at in a part of a cell before it is divided
+constexpr std::size_t most_judged = 1200;  ///< pairs, of a part that is not divided any more
+constexpr std::size_t most_parts = 200;    ///< of a group of cells
+constexpr double smallest_part = 0.06;     ///< steps: half of one that is not divided any more
+constexpr double part_margin = 0.25;       ///< of a part's size: how far around it is looked
+constexpr double same_face = 0.05;         ///< of what bodies may reach over a place: hidden but for so much
 
 /// Edges and corners near one cell, or some together: part by part where many faces are near.
 class CellEdges {
@@ -33,7 +35,7 @@ public:
         near_ = exact.near(cell, all_.middle, all_.reach, false);
     }
 
-    void find(std::vector<Vec3>& out) {
+    void find(Edges& out) {
         if (near_.sweeps.empty()) return;
         std::vector<std::size_t> bodies;
         for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) bodies.push_back(body);
@@ -52,7 +54,7 @@ private:
         double along = 0;  ///< how far edges are followed
     };
 
-    void find(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+    void find(const Part& part, const std::vector<std::size_t>& bodies, Edges& out) {
         std::vector<Face> faces;
         for (const std::size_t body : bodies) {
             const Exact::Side side = exact_.side(near_, body, part.middle);
@@ -63,21 +65,32 @@ private:
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
         const bool divides = left_ > 0 && length(part.half) > smallest_part * step_;
         if (faces.size() > most_faces) drop_hidden(part, faces);
-        std::vector<std::array<std::size_t, 2>> pairs;
-        for (std::size_t i = 1; i < faces.size(); ++i)
-            for (std::size_t k = 0; k < i; ++k)
-                if (dot(faces[i].side.in, faces[k].side.in) <= blunt) pairs.push_back({faces[i].body, faces[k].body});
+        const std::size_t most = divides ? most_pairs : most_judged;
+        const std::vector<std::array<std::size_t, 2>> pairs = pairs_of(faces, most + 1);
         if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs)) {
             std::vector<std::size_t> some;
             for (const Face& f : faces) some.push_back(f.body);
             return divide(part, some, out);
         }
         tried_.clear();
-        if (pairs.size() > most_pairs) pairs.resize(most_pairs);
-        for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out);
+        for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out.places);
+        if (pairs.size() > most) out.unjudged.push_back(part.middle);
     }
 
-    void divide(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+    /// Faces that may meet in an edge, the nearest first; no more than so many.
+    [[nodiscard]] static std::vector<std::array<std::size_t, 2>> pairs_of(const std::vector<Face>& faces,
+                                                                          std::size_t most) {
+        std::vector<std::array<std::size_t, 2>> pairs;
+        for (std::size_t i = 1; i < faces.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                if (dot(faces[i].side.in, faces[k].side.in) > blunt) continue;
+                if (pairs.size() == most) return pairs;
+                pairs.push_back({faces[i].body, faces[k].body});
+            }
+        return pairs;
+    }
+
+    void divide(const Part& part, const std::vector<std::size_t>& bodies, Edges& out) {
         for (unsigned c = 0; c < 8; ++c) {
             Part next;
             next.half = 0.5 * part.half;
@@ -93,7 +106,7 @@ private:
 
     /// Without the faces that lie in other bodies all over a part: of a helix many chords' bodies are near, of which
     /// one or two have a face there. Bodies lie behind their tangent planes, and distances from others are convex, so
-    /// corners tell.
+    /// corners tell. Swept on a circle they are hollow: such a body neither hides others nor is hidden.
     void drop_hidden(const Part& part, std::vector<Face>& faces) const {
         const Vec3 size = (1 + part_margin) * part.half;
         std::sort(faces.begin(), faces.end(),
@@ -105,7 +118,7 @@ private:
                         (c & 4U) != 0 ? size.z : -size.z};
         };
         for (const Face& f : faces) {
-            const bool convex = f.body > 0 && exact_.parts_of(near_.sweeps[f.body - 1].shape).size() == 1;
+            const bool convex = is_convex(f.body);
             const auto hides = [&](const std::array<double, 8>& o) {
                 for (std::size_t c = 0; c < 8; ++c)
                     if (o[c] > f.side.outside + dot(f.side.in, corner(c)) + same_face * allowed_) return false;
@@ -121,6 +134,12 @@ private:
         faces = std::move(kept);
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
+    }
+
+    [[nodiscard]] bool is_convex(std::size_t body) const {
+        if (body == 0) return false;
+        const Air::Sweep& sweep = near_.sweeps[body - 1];
+        return !sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1;
     }
 
     void edge(const Part& part, const std::array<std::size_t, 2>& two, std::vector<Vec3>& out) {
@@ -203,8 +222,7 @@ std::vector<Place> mixed_cells(const NodeBits& nodes) {
     return all;
 }
 
-std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together,
-                           bool follow) {
+Edges edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together, bool follow) {
     static_assert(Exact::block % 4 == 0);
     struct Some {
         Place low, cell;
@@ -218,21 +236,22 @@ std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double
         if (known.size() > before) groups.push_back({low, c});
     };
     for (const Place& c : cells) add(c);
-    std::vector<Vec3> all;
+    Edges all;
     while (!groups.empty()) {
         std::vector<Place> asked;
         for (const Some& some : groups) asked.push_back(some.cell);
         exact.prepare(asked);
-        std::vector<std::vector<Vec3>> found(groups.size());
+        std::vector<Edges> found(groups.size());
         base::in_pieces(groups.size(), 16, [&](const base::Piece& some) {
             for (std::size_t n = some.begin(); n < some.end(); ++n)
                 CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
         });
         groups.clear();
-        for (const std::vector<Vec3>& f : found) {
-            all.insert(all.end(), f.begin(), f.end());
+        for (const Edges& f : found) {
+            all.places.insert(all.places.end(), f.places.begin(), f.places.end());
+            all.unjudged.insert(all.unjudged.end(), f.unjudged.begin(), f.unjudged.end());
             if (!follow) continue;
-            for (const Vec3& p : f)
+            for (const Vec3& p : f.places)
                 if (const auto cell = cell_at(exact.lattice(), p)) add(*cell);
         }
     }
