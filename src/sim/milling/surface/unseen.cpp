@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 
@@ -37,10 +38,13 @@ public:
 
     void find(Edges& out) {
         if (near_.sweeps.empty()) return;
-        std::vector<std::size_t> bodies;
-        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) bodies.push_back(body);
+        convex_.assign(1, 0);
+        for (const Air::Sweep& sweep : near_.sweeps)
+            convex_.push_back(!sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1 ? 1 : 0);
+        std::vector<Face> all;
+        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) all.push_back({body, {}});
         left_ = most_parts;
-        find(all_, bodies, out);
+        find(all_, nullptr, all, out);
     }
 
 private:
@@ -54,12 +58,14 @@ private:
         double along = 0;  ///< how far edges are followed
     };
 
-    void find(const Part& part, const std::vector<std::size_t>& bodies, Edges& out) {
+    /// `before`: of a larger part's middle, where that is not null.
+    void find(const Part& part, const Vec3* larger, const std::vector<Face>& before, Edges& out) {
         std::vector<Face> faces;
-        for (const std::size_t body : bodies) {
-            const Exact::Side side = exact_.side(near_, body, part.middle);
+        for (const Face& f : before) {
+            if (larger != nullptr && is_far_off(f, part.middle - *larger, part.reach)) continue;
+            const Exact::Side side = exact_.side(near_, f.body, part.middle);
             if (side.outside < -part.reach) return;  // the part lies in it
-            if (side.outside < part.reach) faces.push_back({body, side});
+            if (side.outside < part.reach) faces.push_back({f.body, side});
         }
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
@@ -67,11 +73,8 @@ private:
         if (faces.size() > most_faces) drop_hidden(part, faces);
         const std::size_t most = divides ? most_pairs : most_judged;
         const std::vector<std::array<std::size_t, 2>> pairs = pairs_of(faces, most + 1);
-        if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs)) {
-            std::vector<std::size_t> some;
-            for (const Face& f : faces) some.push_back(f.body);
-            return divide(part, some, out);
-        }
+        if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs))
+            return divide(part, std::move(faces), out);
         tried_.clear();
         for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out.places);
         if (pairs.size() > most) out.unjudged.push_back(part.middle);
@@ -90,7 +93,16 @@ private:
         return pairs;
     }
 
-    void divide(const Part& part, const std::vector<std::size_t>& bodies, Edges& out) {
+    /// So far beside a place a face is farther than so.
+    [[nodiscard]] bool is_far_off(const Face& f, Vec3 beside, double reach) const {
+        const double least = is_convex(f.body) ? dot(f.side.in, beside) : -length(beside);
+        return f.side.outside + least >= reach;
+    }
+
+    void divide(const Part& part, std::vector<Face> faces, Edges& out) {
+        // What reaches over most of it is asked first.
+        std::sort(faces.begin(), faces.end(),
+                  [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
         for (unsigned c = 0; c < 8; ++c) {
             Part next;
             next.half = 0.5 * part.half;
@@ -100,7 +112,7 @@ private:
             next.reach = (1 + part_margin) * length(next.half);
             next.along = 0.5 * part.along;
             if (left_ > 0) --left_;
-            find(next, bodies, out);
+            find(next, &part.middle, faces, out);
         }
     }
 
@@ -111,36 +123,36 @@ private:
         const Vec3 size = (1 + part_margin) * part.half;
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
-        std::vector<Face> kept;
-        std::vector<std::array<double, 8>> over;  // how far corners lie outside of those that may hide others
-        const auto corner = [&](std::size_t c) {
-            return Vec3{(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
-                        (c & 4U) != 0 ? size.z : -size.z};
+        std::vector<Face> kept, hiding;
+        std::vector<std::array<double, 8>> over;  // how far corners lie outside of those; NaN: not asked yet
+        std::array<Vec3, 8> corners;
+        for (std::size_t c = 0; c < 8; ++c)
+            corners[c] = {(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
+                          (c & 4U) != 0 ? size.z : -size.z};
+        const auto hides = [&](std::size_t n, const Face& f) {
+            for (std::size_t c = 0; c < 8; ++c) {
+                if (std::isnan(over[n][c]))
+                    over[n][c] = exact_.side(near_, hiding[n].body, part.middle + corners[c]).outside;
+                if (over[n][c] > f.side.outside + dot(f.side.in, corners[c]) + same_face * allowed_) return false;
+            }
+            return true;
         };
         for (const Face& f : faces) {
             const bool convex = is_convex(f.body);
-            const auto hides = [&](const std::array<double, 8>& o) {
-                for (std::size_t c = 0; c < 8; ++c)
-                    if (o[c] > f.side.outside + dot(f.side.in, corner(c)) + same_face * allowed_) return false;
-                return true;
-            };
-            if (convex && std::any_of(over.begin(), over.end(), hides)) continue;
+            bool hidden = false;
+            for (std::size_t n = 0; convex && n < hiding.size() && !hidden; ++n) hidden = hides(n, f);
+            if (hidden) continue;
             kept.push_back(f);
             if (!convex) continue;
-            over.emplace_back();
-            for (std::size_t c = 0; c < 8; ++c)
-                over.back()[c] = exact_.side(near_, f.body, part.middle + corner(c)).outside;
+            hiding.push_back(f);
+            over.emplace_back().fill(std::numeric_limits<double>::quiet_NaN());
         }
         faces = std::move(kept);
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
     }
 
-    [[nodiscard]] bool is_convex(std::size_t body) const {
-        if (body == 0) return false;
-        const Air::Sweep& sweep = near_.sweeps[body - 1];
-        return !sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1;
-    }
+    [[nodiscard]] bool is_convex(std::size_t body) const { return convex_[body] != 0; }
 
     void edge(const Part& part, const std::array<std::size_t, 2>& two, std::vector<Vec3>& out) {
         Vec3 p = part.middle;
@@ -203,6 +215,7 @@ private:
 
     const Exact& exact_;
     Exact::Near near_;
+    std::vector<char> convex_;  ///< by body
     double allowed_ = 0, step_ = 0;
     Part all_;
     std::size_t left_ = 0;     ///< parts that may still be looked at
