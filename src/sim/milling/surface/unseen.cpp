@@ -18,6 +18,7 @@ constexpr std::size_t most_faces = 20,
                       most_pairs = 60;     ///< that are looked at in a part of a cell before it is divided
 constexpr std::size_t most_judged = 1200;  ///< pairs, of a part that is not divided any more
 constexpr std::size_t most_parts = 200;    ///< of a group of cells
+constexpr std::size_t most_more = 4000;    ///< more of them, where pairs would be left out
 constexpr double smallest_part = 0.06;     ///< steps: half of one that is not divided any more
 constexpr double part_margin = 0.25;       ///< of a part's size: how far around it is looked
 constexpr double same_face = 0.05;         ///< of what bodies may reach over a place: hidden but for so much
@@ -43,7 +44,7 @@ public:
             convex_.push_back(!sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1 ? 1 : 0);
         std::vector<Face> all;
         for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) all.push_back({body, {}});
-        left_ = most_parts;
+        left_ = most_parts, more_ = most_more;
         find(all_, nullptr, all, out);
     }
 
@@ -69,15 +70,15 @@ private:
         }
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
-        const bool divides = left_ > 0 && length(part.half) > smallest_part * step_;
         if (faces.size() > most_faces) drop_hidden(part, faces);
-        const std::size_t most = divides ? most_pairs : most_judged;
-        const std::vector<std::array<std::size_t, 2>> pairs = pairs_of(faces, most + 1);
+        const std::vector<std::array<std::size_t, 2>> pairs = pairs_of(faces, most_judged + 1);
+        const bool many = pairs.size() > most_judged;
+        const bool divides = (left_ > 0 || (many && more_ > 0)) && length(part.half) > smallest_part * step_;
         if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs))
             return divide(part, std::move(faces), out);
         tried_.clear();
-        for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out.places);
-        if (pairs.size() > most) out.unjudged.push_back(part.middle);
+        for (std::size_t n = 0; n < std::min(pairs.size(), most_judged); ++n) edge(part, pairs[n], out.places);
+        if (many) out.unjudged.push_back(part.middle);
     }
 
     /// Faces that may meet in an edge, the nearest first; no more than so many.
@@ -111,7 +112,10 @@ private:
                 part.middle + Vec3{(c & 1U) != 0 ? h.x : -h.x, (c & 2U) != 0 ? h.y : -h.y, (c & 4U) != 0 ? h.z : -h.z};
             next.reach = (1 + part_margin) * length(next.half);
             next.along = 0.5 * part.along;
-            if (left_ > 0) --left_;
+            if (left_ > 0)
+                --left_;
+            else if (more_ > 0)
+                --more_;
             find(next, &part.middle, faces, out);
         }
     }
@@ -219,6 +223,7 @@ private:
     double allowed_ = 0, step_ = 0;
     Part all_;
     std::size_t left_ = 0;     ///< parts that may still be looked at
+    std::size_t more_ = 0;     ///< the same, where too many faces meet
     std::vector<Vec3> tried_;  ///< of this part
     std::size_t last_ = 1;     ///< the body that was found over a place last, and how far
     double over_ = 0;
