@@ -108,7 +108,10 @@ def judge(row, options):
     with jobs.folder_of(options.keep and pathlib.Path(options.keep) / what.replace(" ", "_")) as folder:
         jobs.write(folder, ["G21 G90 G17 G40 G94", "F800", *lines, "G0 Z30", "M2"], list(enumerate(tools, 1)), stock, part,
                    clamps, check=check)
-        result = jobs.check(options.obrys, folder)
+        picture = folder / "p.svg"
+        result = jobs.check(options.obrys, folder, "--force", "--svg", str(picture))
+        if "X is a radius" in picture.read_text():
+            return "the picture is that of a lathe"
     if result["unchecked"]:
         return f"not checked: {result['unchecked'][0]['message']}"
     if code is None:
