@@ -47,6 +47,11 @@ std::string scope_words(shop::Scope scope) {
     return "";
 }
 
+/// Of a clean result: what is finer than that was not looked for.
+std::string simulated_words(const check::Result& r) {
+    return r.milled ? ", simulated to " + base::shortest(r.milled->figures.tolerance_mm) + " mm" : "";
+}
+
 }  // namespace
 
 std::string verdict_line(const check::Result& r) {
@@ -59,7 +64,8 @@ std::string verdict_line(const check::Result& r) {
                                                                 : ", " + std::to_string(known) + " of them known";
     const std::string scope = scope_words(r.scope);
     switch (r.verdict) {
-        case check::Verdict::clean: return "clean" + scope + ": nothing found in " + count_of(r.stats.moves, "move");
+        case check::Verdict::clean:
+            return "clean" + scope + simulated_words(r) + ": nothing found in " + count_of(r.stats.moves, "move");
         case check::Verdict::findings: return found + scope;
         case check::Verdict::not_fully_checked: break;
     }

@@ -56,7 +56,10 @@ def web(random, tolerance):
     pass_along(program, 0.0, floor, mark="*")
     r = d / 2
     part = extruded([(lo[0], lo[2]), (hi[0], lo[2]), (hi[0], 0.0), (r, 0.0), (r, floor), (-r, floor), (-r, 0.0), (lo[0], 0.0)], lo[1], hi[1])
-    return mark_of(program, (lo, hi), part, "rest-material", min(-floor, r - neck / 2), tolerance, f"web {thin:.5f} thin, T-slot {d}")
+    mark = mark_of(program, (lo, hi), part, "rest-material", min(-floor, r - neck / 2), tolerance, f"web {thin:.5f} thin, T-slot {d}")
+    mark.beside = mark.beside | {"holder-in-stock"}  # the neck runs through it, and takes nothing
+    mark.deepest = max(mark.depth, min(-floor, r))
+    return mark
 
 
 def crests(random, tolerance):

@@ -78,7 +78,7 @@ bool write_beside(const Arguments& a, driver::Session& s, const driver::Checked&
                   const report::Subject& subject) {
     bool written = true;
     if (!a.html.empty()) written = deliver(a.html, report::page(subject)) && written;
-    if (!a.svg.empty()) written = deliver(a.svg, report::to_svg(subject)) && written;
+    if (!a.svg.empty() && !draws_milling(a, checked)) written = deliver(a.svg, report::to_svg(subject)) && written;
     written = write_surface(a, s, checked) && written;
     return write_engagement(a, subject) && written && !s.files->failed();
 }
@@ -100,7 +100,7 @@ Outcome check_one(const Arguments& a, const std::string& input, const std::optio
     if (!may_write(a, s)) return refused;
     const bool pictures = !a.html.empty() || !a.svg.empty();
     driver::MillingRequest milling = a.milling;
-    milling.surface = wants_surface(a) || !a.html.empty();
+    milling.surface = wants_surface(a) || pictures;
     milling.keep_moves = a.html.empty() ? 0 : report::milled_moves_on_page;
     driver::Checked checked;
     {

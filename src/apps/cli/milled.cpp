@@ -37,6 +37,11 @@ bool wants_surface(const Arguments& a) {
     return !a.stl.empty() || !a.three_mf.empty() || !a.gltf.empty() || wants_pictures(a);
 }
 
+bool draws_milling(const Arguments& a, const driver::Checked& checked) {
+    const auto& milled = checked.result.milled;
+    return !a.svg.empty() && milled != nullptr && !milled->surface.empty();
+}
+
 namespace {
 
 constexpr double full_deviation = 20;  ///< tolerances at which a deviation has its deepest colour
@@ -108,25 +113,28 @@ bool write_pictures(const Arguments& a, driver::Session& s, const driver::Checke
     scene.legend = legend;
     scene.marks = marks;
     scene.title = s.program + (a.milling.at ? ", after move " + std::to_string(*a.milling.at) : "");
+    const std::string svg = draws_milling(a, checked) ? a.svg : "";
     const struct {
         const std::string& file;
         report::picture::MillingView view;
-    } pictures[] = {{a.plan_view, report::picture::MillingView::plan},
+    } pictures[] = {{svg, report::picture::MillingView::projections},
+                    {a.plan_view, report::picture::MillingView::plan},
                     {a.projections, report::picture::MillingView::projections},
                     {a.picture, report::picture::MillingView::solid}};
     bool written = true;
     for (const auto& [file, view] : pictures)
         if (!file.empty())
-            written = deliver(file, file.ends_with(".svg") ? report::picture::milling_svg(view, scene)
-                                                           : report::picture::milling_png(view, scene)) &&
-                      written;
+            written =
+                deliver(file, &file == &svg || file.ends_with(".svg") ? report::picture::milling_svg(view, scene)
+                                                                      : report::picture::milling_png(view, scene)) &&
+                written;
     return written;
 }
 
 }  // namespace
 
 bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked& checked) {
-    if (!wants_surface(a)) return true;
+    if (!wants_surface(a) && !draws_milling(a, checked)) return true;
     const auto& milled = checked.result.milled;
     if (milled == nullptr || milled->surface.empty()) {
         std::fputs("obrys: there is no machined surface to write: the job has no milling stock that was simulated\n",
@@ -146,10 +154,11 @@ bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked
         const mesh::Mesh plain{machined.vertices, machined.triangles, {}};
         written = deliver(a.stl, mesh::write_stl(mesh::merge_flat(plain, flat)));
     }
-    if (a.three_mf.empty() && a.gltf.empty() && !wants_pictures(a)) return written;
+    const bool draws = wants_pictures(a) || draws_milling(a, checked);
+    if (a.three_mf.empty() && a.gltf.empty() && !draws) return written;
     mesh::Mesh surface = machined;
     const mesh::DeviationColours colours = colour(*milled, surface, milled->figures.tolerance_mm);
-    if (wants_pictures(a)) written = write_pictures(a, s, checked, surface, colours) && written;
+    if (draws) written = write_pictures(a, s, checked, surface, colours) && written;
     if (a.three_mf.empty() && a.gltf.empty()) return written;
     surface = mesh::merge_flat(surface, flat);
     if (!a.three_mf.empty())

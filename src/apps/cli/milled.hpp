@@ -16,6 +16,8 @@ bool deliver(const std::string& path, std::string_view text);
 bool deliver(const std::string& path, driver::OutputFile& file);
 
 [[nodiscard]] bool wants_surface(const Arguments& a);
+/// --svg is the projections of what was milled.
+[[nodiscard]] bool draws_milling(const Arguments& a, const driver::Checked& checked);
 /// The files that were asked for. False where one could not be written; a job without milling stock has no surface.
 bool write_surface(const Arguments& a, driver::Session& s, const driver::Checked& checked);
 /// How every move was engaged, where that was asked for; as above.

@@ -233,7 +233,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->check(only({"text", "json", "sarif"}))
         ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
-    c.check->add_option("--svg", a.svg, "also write the picture")->type_name("FILE");
+    c.check->add_option("--svg", a.svg, "also write the picture; milling: as --projections")->type_name("FILE");
     c.check
         ->add_option_function<double>(
             "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },

@@ -124,12 +124,13 @@ Foot foot_on(const Shape& shape, const Track& track, Vec3 p) {
         }
         if (foot.outside < best.outside) best = foot, deepest = i;
     }
-    // At the disc between two pieces both end, but there is no surface.
-    if (!(best.outside > 0) && std::abs(best.gradient.z) > steep)
-        for (std::size_t i = std::max<std::size_t>(deepest, 1) - 1; i <= deepest && i < shape.bridges.size(); ++i) {
-            const Foot foot = foot_of(shape.bridges[i], track, place, p);
-            if (foot.outside < best.outside) best = foot;
-        }
+    // At the disc between two pieces both end, but there is no surface. Where another end of the piece is nearer than
+    // that disc, what goes on beyond it is no deeper.
+    if (best.outside > 0 || !(std::abs(best.gradient.z) > steep)) return best;
+    const std::size_t disc = best.gradient.z > 0 ? deepest : deepest - 1;  // below the lowest piece there is none
+    if (disc >= shape.bridges.size()) return best;
+    const Foot foot = foot_of(shape.bridges[disc], track, place, p);
+    if (foot.outside < best.outside) best = foot;
     return best;
 }
 

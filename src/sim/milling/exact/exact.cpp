@@ -43,6 +43,15 @@ Exact::Exact(const Simulation& simulation, const Lattice& lattice)
     for (const Simulation::Whole& whole : wholes_) parts_.add(simulation.cutting_of(whole.first));
     whole_of_.resize(simulation.sweeps() + 1);
     covered_ = covered(simulation, wholes_);
+    around_.resize(wholes_.size());
+    for (std::size_t n = 0; n < wholes_.size(); ++n) {
+        const Box3 box = simulation.reach_of(wholes_[n]);
+        for (int a = 0; a < 3; ++a) {
+            const auto k = static_cast<std::size_t>(a);
+            around_[n].low[k] = std::nextafter(static_cast<float>(component(box.min, a)), -HUGE_VALF);
+            around_[n].high[k] = std::nextafter(static_cast<float>(component(box.max, a)), HUGE_VALF);
+        }
+    }
     for (std::uint32_t n = 0; n < wholes_.size(); ++n)
         for (std::uint32_t cut = wholes_[n].first; cut <= wholes_[n].last; ++cut) whole_of_[cut] = n;
 }
@@ -92,11 +101,11 @@ Exact::Near Exact::near(const Place& cell, Vec3 centre, double reach, bool lines
     near.blank = within > 0;
     for (const std::uint32_t n : sweeps_[blocks_.find(key_of(block_of(cell)))]) {
         if (covered_[n] != 0 && !lines) continue;
-        const Simulation::Whole whole = wholes_[n];
-        const Box3 box = simulation_.reach_of(whole);
-        if (centre.x < box.min.x - reach || centre.x > box.max.x + reach || centre.y < box.min.y - reach ||
-            centre.y > box.max.y + reach || centre.z < box.min.z - reach || centre.z > box.max.z + reach)
+        const Around& box = around_[n];
+        if (centre.x < box.low[0] - reach || centre.x > box.high[0] + reach || centre.y < box.low[1] - reach ||
+            centre.y > box.high[1] + reach || centre.z < box.low[2] - reach || centre.z > box.high[2] + reach)
             continue;
+        const Simulation::Whole whole = wholes_[n];
         const Air::Sweep s = simulation_.body_of(whole);
         if (!(foot_on(*s.shape, s.track, s.frame.to_tool(centre - s.from)).outside < reach)) continue;
         if (covered_[n] == 0) near.sweeps.push_back(s);

@@ -123,7 +123,12 @@ private:
     std::vector<std::vector<std::uint32_t>> sweeps_;  ///< numbers in `wholes_`, by block
     std::vector<Simulation::Whole> wholes_;
     std::vector<std::uint32_t> whole_of_;  ///< by cut
-    std::vector<std::uint8_t> covered_;    ///< by whole: another one has taken all of it, too (covered.hpp)
+    /// Around a whole, no smaller than it is.
+    struct Around {
+        std::array<float, 3> low{}, high{};
+    };
+    std::vector<Around> around_;         ///< by whole
+    std::vector<std::uint8_t> covered_;  ///< by whole: another one has taken all of it, too (covered.hpp)
     ConvexParts parts_;
 };
 

@@ -109,9 +109,13 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
     for (int round = 0; round < most_rounds; ++round) {
         if (stop && stop()) return;
         if (round > 0) cells = new_cells(fine, known);
-        const std::vector<Vec3> edges =
-            edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
-        places.insert(places.end(), edges.begin(), edges.end());
+        const Edges edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
+        places.insert(places.end(), edges.places.begin(), edges.places.end());
+        std::vector<Unshown> unjudged;
+        for (const Vec3& p : edges.unjudged) unjudged.push_back({p, p});
+        // Smaller cells have fewer faces about them.
+        if (round == 0) unjudged = fine.show(unjudged);
+        for (const Unshown& u : unjudged) fine.leave_open(u.at);
         const mesh::Mesh now = mesh();
         std::vector<Unshown> wrong = unshown(now, places, lattice, wanted * tolerance);
         for (const Unshown& u : unshown(now, points, lattice, wanted * tolerance)) wrong.push_back(u);

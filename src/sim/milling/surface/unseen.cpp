@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "base/parallel.hpp"
 
@@ -13,11 +14,14 @@ namespace {
 using geom::Vec3;
 
 constexpr double blunt = 0.9;  ///< cosine between two faces' directions from which on planes alone tell of an edge
-constexpr std::size_t most_faces = 20, most_pairs = 60;  ///< that are looked at in a part of a cell
-constexpr std::size_t most_parts = 200;                  ///< of a group of cells
-constexpr double smallest_part = 0.06;                   ///< steps: half of one that is not divided any more
-constexpr double part_margin = 0.25;                     ///< of a part's size: how far around it is looked
-constexpr double same_face = 0.05;  ///< of what bodies may reach over a place: hidden but for so much
+constexpr std::size_t most_faces = 20,
+                      most_pairs = 60;     ///< that are looked at in a part of a cell before it is divided
+constexpr std::size_t most_judged = 1200;  ///< pairs, of a part that is not divided any more
+constexpr std::size_t most_parts = 200;    ///< of a group of cells
+constexpr std::size_t most_more = 4000;    ///< more of them, where pairs would be left out
+constexpr double smallest_part = 0.06;     ///< steps: half of one that is not divided any more
+constexpr double part_margin = 0.25;       ///< of a part's size: how far around it is looked
+constexpr double same_face = 0.05;         ///< of what bodies may reach over a place: hidden but for so much
 
 /// Edges and corners near one cell, or some together: part by part where many faces are near.
 class CellEdges {
@@ -33,12 +37,15 @@ public:
         near_ = exact.near(cell, all_.middle, all_.reach, false);
     }
 
-    void find(std::vector<Vec3>& out) {
+    void find(Edges& out) {
         if (near_.sweeps.empty()) return;
-        std::vector<std::size_t> bodies;
-        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) bodies.push_back(body);
-        left_ = most_parts;
-        find(all_, bodies, out);
+        convex_.assign(1, 0);
+        for (const Air::Sweep& sweep : near_.sweeps)
+            convex_.push_back(!sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1 ? 1 : 0);
+        std::vector<Face> all;
+        for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) all.push_back({body, {}});
+        left_ = most_parts, more_ = most_more;
+        find(all_, nullptr, all, out);
     }
 
 private:
@@ -52,32 +59,51 @@ private:
         double along = 0;  ///< how far edges are followed
     };
 
-    void find(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+    /// `before`: of a larger part's middle, where that is not null.
+    void find(const Part& part, const Vec3* larger, const std::vector<Face>& before, Edges& out) {
         std::vector<Face> faces;
-        for (const std::size_t body : bodies) {
-            const Exact::Side side = exact_.side(near_, body, part.middle);
+        for (const Face& f : before) {
+            if (larger != nullptr && is_far_off(f, part.middle - *larger, part.reach)) continue;
+            const Exact::Side side = exact_.side(near_, f.body, part.middle);
             if (side.outside < -part.reach) return;  // the part lies in it
-            if (side.outside < part.reach) faces.push_back({body, side});
+            if (side.outside < part.reach) faces.push_back({f.body, side});
         }
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
-        const bool divides = left_ > 0 && length(part.half) > smallest_part * step_;
         if (faces.size() > most_faces) drop_hidden(part, faces);
-        std::vector<std::array<std::size_t, 2>> pairs;
-        for (std::size_t i = 1; i < faces.size(); ++i)
-            for (std::size_t k = 0; k < i; ++k)
-                if (dot(faces[i].side.in, faces[k].side.in) <= blunt) pairs.push_back({faces[i].body, faces[k].body});
-        if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs)) {
-            std::vector<std::size_t> some;
-            for (const Face& f : faces) some.push_back(f.body);
-            return divide(part, some, out);
-        }
+        const std::vector<std::array<std::size_t, 2>> pairs = pairs_of(faces, most_judged + 1);
+        const bool many = pairs.size() > most_judged;
+        const bool divides = (left_ > 0 || (many && more_ > 0)) && length(part.half) > smallest_part * step_;
+        if (divides && !pairs.empty() && (faces.size() > most_faces || pairs.size() > most_pairs))
+            return divide(part, std::move(faces), out);
         tried_.clear();
-        if (pairs.size() > most_pairs) pairs.resize(most_pairs);
-        for (const std::array<std::size_t, 2>& two : pairs) edge(part, two, out);
+        for (std::size_t n = 0; n < std::min(pairs.size(), most_judged); ++n) edge(part, pairs[n], out.places);
+        if (many) out.unjudged.push_back(part.middle);
     }
 
-    void divide(const Part& part, const std::vector<std::size_t>& bodies, std::vector<Vec3>& out) {
+    /// Faces that may meet in an edge, the nearest first; no more than so many.
+    [[nodiscard]] static std::vector<std::array<std::size_t, 2>> pairs_of(const std::vector<Face>& faces,
+                                                                          std::size_t most) {
+        std::vector<std::array<std::size_t, 2>> pairs;
+        for (std::size_t i = 1; i < faces.size(); ++i)
+            for (std::size_t k = 0; k < i; ++k) {
+                if (dot(faces[i].side.in, faces[k].side.in) > blunt) continue;
+                if (pairs.size() == most) return pairs;
+                pairs.push_back({faces[i].body, faces[k].body});
+            }
+        return pairs;
+    }
+
+    /// So far beside a place a face is farther than so.
+    [[nodiscard]] bool is_far_off(const Face& f, Vec3 beside, double reach) const {
+        const double least = is_convex(f.body) ? dot(f.side.in, beside) : -length(beside);
+        return f.side.outside + least >= reach;
+    }
+
+    void divide(const Part& part, std::vector<Face> faces, Edges& out) {
+        // What reaches over most of it is asked first.
+        std::sort(faces.begin(), faces.end(),
+                  [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
         for (unsigned c = 0; c < 8; ++c) {
             Part next;
             next.half = 0.5 * part.half;
@@ -86,42 +112,51 @@ private:
                 part.middle + Vec3{(c & 1U) != 0 ? h.x : -h.x, (c & 2U) != 0 ? h.y : -h.y, (c & 4U) != 0 ? h.z : -h.z};
             next.reach = (1 + part_margin) * length(next.half);
             next.along = 0.5 * part.along;
-            if (left_ > 0) --left_;
-            find(next, bodies, out);
+            if (left_ > 0)
+                --left_;
+            else if (more_ > 0)
+                --more_;
+            find(next, &part.middle, faces, out);
         }
     }
 
     /// Without the faces that lie in other bodies all over a part: of a helix many chords' bodies are near, of which
     /// one or two have a face there. Bodies lie behind their tangent planes, and distances from others are convex, so
-    /// corners tell.
+    /// corners tell. Swept on a circle they are hollow: such a body neither hides others nor is hidden.
     void drop_hidden(const Part& part, std::vector<Face>& faces) const {
         const Vec3 size = (1 + part_margin) * part.half;
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return a.side.outside < b.side.outside; });
-        std::vector<Face> kept;
-        std::vector<std::array<double, 8>> over;  // how far corners lie outside of those that may hide others
-        const auto corner = [&](std::size_t c) {
-            return Vec3{(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
-                        (c & 4U) != 0 ? size.z : -size.z};
+        std::vector<Face> kept, hiding;
+        std::vector<std::array<double, 8>> over;  // how far corners lie outside of those; NaN: not asked yet
+        std::array<Vec3, 8> corners;
+        for (std::size_t c = 0; c < 8; ++c)
+            corners[c] = {(c & 1U) != 0 ? size.x : -size.x, (c & 2U) != 0 ? size.y : -size.y,
+                          (c & 4U) != 0 ? size.z : -size.z};
+        const auto hides = [&](std::size_t n, const Face& f) {
+            for (std::size_t c = 0; c < 8; ++c) {
+                if (std::isnan(over[n][c]))
+                    over[n][c] = exact_.side(near_, hiding[n].body, part.middle + corners[c]).outside;
+                if (over[n][c] > f.side.outside + dot(f.side.in, corners[c]) + same_face * allowed_) return false;
+            }
+            return true;
         };
         for (const Face& f : faces) {
-            const bool convex = f.body > 0 && exact_.parts_of(near_.sweeps[f.body - 1].shape).size() == 1;
-            const auto hides = [&](const std::array<double, 8>& o) {
-                for (std::size_t c = 0; c < 8; ++c)
-                    if (o[c] > f.side.outside + dot(f.side.in, corner(c)) + same_face * allowed_) return false;
-                return true;
-            };
-            if (convex && std::any_of(over.begin(), over.end(), hides)) continue;
+            const bool convex = is_convex(f.body);
+            bool hidden = false;
+            for (std::size_t n = 0; convex && n < hiding.size() && !hidden; ++n) hidden = hides(n, f);
+            if (hidden) continue;
             kept.push_back(f);
             if (!convex) continue;
-            over.emplace_back();
-            for (std::size_t c = 0; c < 8; ++c)
-                over.back()[c] = exact_.side(near_, f.body, part.middle + corner(c)).outside;
+            hiding.push_back(f);
+            over.emplace_back().fill(std::numeric_limits<double>::quiet_NaN());
         }
         faces = std::move(kept);
         std::sort(faces.begin(), faces.end(),
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
     }
+
+    [[nodiscard]] bool is_convex(std::size_t body) const { return convex_[body] != 0; }
 
     void edge(const Part& part, const std::array<std::size_t, 2>& two, std::vector<Vec3>& out) {
         Vec3 p = part.middle;
@@ -184,9 +219,11 @@ private:
 
     const Exact& exact_;
     Exact::Near near_;
+    std::vector<char> convex_;  ///< by body
     double allowed_ = 0, step_ = 0;
     Part all_;
     std::size_t left_ = 0;     ///< parts that may still be looked at
+    std::size_t more_ = 0;     ///< the same, where too many faces meet
     std::vector<Vec3> tried_;  ///< of this part
     std::size_t last_ = 1;     ///< the body that was found over a place last, and how far
     double over_ = 0;
@@ -203,8 +240,7 @@ std::vector<Place> mixed_cells(const NodeBits& nodes) {
     return all;
 }
 
-std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together,
-                           bool follow) {
+Edges edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together, bool follow) {
     static_assert(Exact::block % 4 == 0);
     struct Some {
         Place low, cell;
@@ -218,21 +254,22 @@ std::vector<Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double
         if (known.size() > before) groups.push_back({low, c});
     };
     for (const Place& c : cells) add(c);
-    std::vector<Vec3> all;
+    Edges all;
     while (!groups.empty()) {
         std::vector<Place> asked;
         for (const Some& some : groups) asked.push_back(some.cell);
         exact.prepare(asked);
-        std::vector<std::vector<Vec3>> found(groups.size());
+        std::vector<Edges> found(groups.size());
         base::in_pieces(groups.size(), 16, [&](const base::Piece& some) {
             for (std::size_t n = some.begin(); n < some.end(); ++n)
                 CellEdges(exact, groups[n].low, groups[n].cell, together, bare_share * tolerance).find(found[n]);
         });
         groups.clear();
-        for (const std::vector<Vec3>& f : found) {
-            all.insert(all.end(), f.begin(), f.end());
+        for (const Edges& f : found) {
+            all.places.insert(all.places.end(), f.places.begin(), f.places.end());
+            all.unjudged.insert(all.unjudged.end(), f.unjudged.begin(), f.unjudged.end());
             if (!follow) continue;
-            for (const Vec3& p : f)
+            for (const Vec3& p : f.places)
                 if (const auto cell = cell_at(exact.lattice(), p)) add(*cell);
         }
     }

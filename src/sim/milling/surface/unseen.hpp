@@ -16,10 +16,14 @@ inline constexpr double bare_share = 0.3;
 /// The cells whose nodes differ.
 [[nodiscard]] std::vector<Place> mixed_cells(const NodeBits& nodes);
 
+struct Edges {
+    std::vector<geom::Vec3> places;
+    std::vector<geom::Vec3> unjudged;  ///< where more faces meet than were looked at, pair by pair
+};
 /// Places on edges and at corners of the material in or near these cells, in their order. `together`: so many cells,
 /// along each axis, are looked at as one; 1, 2 or 4. `follow`: also in the cells that edges lead into, on and on.
-[[nodiscard]] std::vector<geom::Vec3> edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance,
-                                               std::int32_t together, bool follow);
+[[nodiscard]] Edges edges_in(const std::vector<Place>& cells, Exact& exact, double tolerance, std::int32_t together,
+                             bool follow);
 
 /// Places where a tool's rim, or its point, is part of the surface, in cells with nodes in material.
 enum class Sharp : std::uint8_t { rims, points };

@@ -7,6 +7,7 @@
 #include "sim/milling/fine_testing.hpp"
 #include "sim/milling/nearest.hpp"
 #include "sim/milling/surface/surface.hpp"
+#include "sim/milling/surface/unseen.hpp"
 
 namespace obrys::sim::milling {
 namespace {
@@ -137,6 +138,32 @@ TEST(Unseen, pieces_of_a_tool_have_no_face_between_them) {
     for (const double x : {5.0, 6.1})
         for (const double y : {3.0, 7.0}) cut(s, tool, {x, y, 2}, {y, x, 2});  // cylinders from 3.4 on
     surface_of(s);
+}
+
+/// Edges that are found in the group of cells about a place.
+Edges edges_about(Simulation& s, Vec3 p) {
+    s.flush();
+    Exact exact(s, s.dexels().lattice());
+    return edges_in({*cell_at(s.dexels().lattice(), p)}, exact, unseen_tolerance, 4, false);
+}
+
+// Where more faces meet than can be looked at pair by pair, that is said.
+TEST(Unseen, too_many_faces_about_a_place_are_told) {
+    for (const int sides : {8, 96}) {
+        Simulation s = blank();
+        testing::RoundTool t;
+        const std::uint32_t tool = s.add_tool(testing::shape_of(t));
+        const Vec3 c{6.03, 6.02, 0};
+        for (int k = 0; k < sides; ++k) {
+            const double a = 2 * geom::pi * k / sides;
+            const Vec3 n{std::cos(a), std::sin(a), 0}, along{-n.y, n.x, 0};
+            const Vec3 beside = c + (t.radius + 0.004) * n + Vec3{0, 0, 1};
+            cut(s, tool, beside - 20.0 * along, beside + 20.0 * along);
+        }
+        const Edges found = edges_about(s, c + Vec3{0, 0, 3});
+        EXPECT_FALSE(found.places.empty());
+        EXPECT_EQ(found.unjudged.empty(), sides == 8) << found.unjudged.size();
+    }
 }
 
 // What is asked for but not done is not done by half: the mesh is closed, only coarser.
