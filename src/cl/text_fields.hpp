@@ -224,6 +224,7 @@ template <class Io>
 void fields(Io& io, Of<Io, Datum>& s) {
     io.whole(s.number);
     io.vec(s.origin);
+    io.flag("selected", s.selected);
 }
 template <class Io>
 void fields(Io& io, Of<Io, DatumData>& s) {
@@ -237,6 +238,9 @@ void fields(Io& io, Of<Io, Frame>& s) {
     io.each_word(s.parts, "", [&](auto& p) {
         io.choice(frame_kinds, p.kind);
         affine_fields(io, p.frame);
+        io.flag_is("seq+", p.turn.side, std::int8_t{1});
+        io.flag_is("seq-", p.turn.side, std::int8_t{-1});
+        io.flag("table", p.turn.table_turns);
     });
 }
 

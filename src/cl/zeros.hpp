@@ -17,6 +17,7 @@ namespace obrys::cl {
 struct Datum {
     std::uint32_t number = 0;  ///< 54, 505; 500: none selected; 1000 …: presets 0 …; 0 = machine frame itself
     geom::Vec3 origin;
+    bool selected = false;  ///< of 500: by a word of its own (G500)
     bool operator==(const Datum&) const = default;
 };
 
@@ -38,9 +39,16 @@ enum class FrameKind : std::uint8_t {
     plane,       ///< a tilted working plane
     programmed,  ///< several of these, which the control keeps as one frame
 };
+/// Which of the positions of the rotary axes a tilted plane takes, where the program says that.
+struct PlaneTurn {
+    std::int8_t side = 0;      ///< SEQ: the sign of the master axis; 0: the control chooses
+    bool table_turns = false;  ///< TABLE ROT: a table turns where turning the coordinates alone would do
+    bool operator==(const PlaneTurn&) const = default;
+};
 struct FramePart {
     FrameKind kind = FrameKind::shift;
     geom::Frame frame;
+    PlaneTurn turn{};  ///< of planes
     bool operator==(const FramePart&) const = default;
 };
 /// How coordinates are programmed from here on: the product of the parts, the first the outermost, takes them into the

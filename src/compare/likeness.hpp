@@ -128,7 +128,7 @@ public:
     [[nodiscard]] bool operator()(const cl::Frame& a, const cl::Frame& b) const {
         return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),
                           [&](const cl::FramePart& p, const cl::FramePart& q) {
-                              return p.kind == q.kind && affine(p.frame, q.frame);
+                              return p.kind == q.kind && p.turn == q.turn && affine(p.frame, q.frame);
                           });
     }
     [[nodiscard]] bool operator()(const cl::Tolerance& a, const cl::Tolerance& b) const {

@@ -108,11 +108,11 @@ std::shared_ptr<const Holding> Path::holding_of(const cl::Step& step) {
     const bool back = taps && tap_ == Tap::in, out = !taps && tap_ == Tap::back && cl::is_rapid(step);
     tap_ = back ? Tap::back : taps ? Tap::in : Tap::none;
     if (tap_ == Tap::in) tap_sense_ = holding_->spindle;
-    if ((!back && !out) || tap_sense_.direction == 0) return holding_;
+    if ((!back && !out) || (tap_sense_.direction == 0 && !tap_sense_.held)) return holding_;
     if (back && holding_->spindle.direction == 0) return holding_;
     Holding coupled = *holding_;
     if (out)
-        coupled.spindle = tap_sense_;
+        coupled.spindle = tap_sense_, coupled.leads_out = true;
     else
         coupled.spindle.direction = tap_sense_.direction;
     return std::make_shared<const Holding>(std::move(coupled));

@@ -26,6 +26,7 @@ struct Holding {
     cl::Frame frame;
     cl::Tolerance tolerance;
     std::optional<cl::PathMode> path;
+    bool leads_out = false;  ///< at rapid, of a hole that was tapped: the spindle turns, or stands as before the tap
     bool operator==(const Holding&) const = default;
 };
 

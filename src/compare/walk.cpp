@@ -154,7 +154,8 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     const bool feeds = !cl::is_rapid(a.step) && !std::holds_alternative<cl::Thread>(a.step);
     if (feeds) held(Aspect::feed, h.feed, k.feed);
     cl::Spindle other = k.spindle;
-    const bool taps = is_rigid_tap(a.step) && is_rigid_tap(b.step) && may_tap_alike(h.spindle, other);
+    const bool of_tap = (is_rigid_tap(a.step) && is_rigid_tap(b.step)) || (h.leads_out && k.leads_out);
+    const bool taps = of_tap && may_tap_alike(h.spindle, other);
     if (taps) other.direction = h.spindle.direction, other.held = h.spindle.held;
     held(Aspect::spindle, h.spindle, other);
     held(Aspect::coolant, h.coolant, k.coolant);

@@ -144,13 +144,14 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
         ++taken;
         writer.take(record);
     });
+    out.begins_anew = out.repeats && writer.begin_anew();
     writer.finish();
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
     if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
     note_characters(out, post);
 }
 
-/// No post has words for that.
+/// The post has no word for that.
 void lose_beginning_anew(Session& session, Ledger& ledger) {
     write::Note note;
     note.what =
@@ -206,7 +207,7 @@ void tell(Session& session, Translated& translated) {
     for (const Ledger::Entry& entry : translated.ledger.entries())
         if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
     add_not_understood(translated.ledger, session, translated.ending);
-    if (translated.repeats) lose_beginning_anew(session, translated.ledger);
+    if (translated.repeats && !translated.begins_anew) lose_beginning_anew(session, translated.ledger);
 }
 
 }  // namespace obrys::driver

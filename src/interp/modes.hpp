@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -24,7 +25,8 @@ enum class TransformKind : std::uint8_t { shift, mirror, rotation, scaling, axis
 struct Transform {
     TransformKind kind = TransformKind::shift;
     geom::Frame frame;
-    int axis = -1;  ///< of mirror images that each axis has of its own (centred.cpp)
+    int axis = -1;         ///< of mirror images that each axis has of its own (centred.cpp)
+    cl::PlaneTurn turn{};  ///< of tilted planes
 };
 
 /// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
@@ -48,6 +50,7 @@ struct ModalState {
     Modal feed_reference = Modal::feed_at_contour;
     double plunge_part = 1;  ///< of F, at most along the tool axis into the material (M103)
     std::uint32_t datum = 500;
+    bool datum_said = false;  ///< by a word of the program
     /// Where the datum before lies in the machine: axes that the selected one leaves as they are; NaN: not known.
     geom::Vec3 datum_before{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
                             std::numeric_limits<double>::quiet_NaN()};
@@ -102,7 +105,9 @@ struct SpindleState {
     double surface = 0;         ///< cutting speed of the last G96, m/min
     bool mode_changed = false;  ///< by the block being run: G96 or G97
     int direction = 0;
-    int last = 0;                  ///< the last direction in which it turned
+    int last = 0;                ///< the last direction in which it turned
+    std::optional<double> held;  ///< degrees at which it stands; NaN: the machine knows
+    double orientation = std::numeric_limits<double>::quiet_NaN();  ///< degrees, of M19 where the program sets them
     bool speed_known = false;      ///< the program has said S; what the control held before is not 0
     bool direction_known = false;  ///< … M3, M4 or M5
     /// A stop of the program that may have stopped it stands before here (Traits::spindle_stops, STOP).

@@ -74,6 +74,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::stop_program, "stop", "program", "stop.program"},
     {Command::stop_optional, "stop", "optional", "stop.optional"},
     {Command::stop_end, "stop", "end", "stop.end"},
+    {Command::stop_again, "stop", "again", "stop.again"},
     {Command::comment, "text", "comment", "text.comment"},
     {Command::message, "text", "message", "text.message"},
     {Command::terminal, "text", "terminal", "text.terminal"},
@@ -132,6 +133,8 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::plane_off, "frame", "plane-off", "frame.plane-off"},
     {Command::plane_turn, "frame", "plane-turn", "frame.plane-turn"},
     {Command::plane_turn_off, "frame", "plane-turn-off", "frame.plane-turn-off"},
+    {Command::plane_move, "frame", "plane-move", "frame.plane-move"},
+    {Command::plane_move_off, "frame", "plane-move-off", "frame.plane-move-off"},
     {Command::programmed, "frame", "programmed", "frame.programmed"},
     {Command::programmed_off, "frame", "programmed-off", "frame.programmed-off"},
 }};

@@ -75,6 +75,7 @@ enum class Command : std::uint8_t {
     stop_program,
     stop_optional,
     stop_end,
+    stop_again,  ///< the program begins anew, without end
     comment,
     message,
     terminal,
@@ -133,6 +134,8 @@ enum class Command : std::uint8_t {
     plane_off,
     plane_turn,  ///< the rotary axes turn in the same block, the linear ones stand
     plane_turn_off,
+    plane_move,  ///< the same, a place before the tip, or it, staying where it is on the workpiece
+    plane_move_off,
     programmed,
     programmed_off,
     count,

@@ -120,6 +120,9 @@ bool frame_values(const cl::FramePart& part, Values& values) {
     values.set(Value::shift_x, f.origin.x);
     values.set(Value::shift_y, f.origin.y);
     values.set(Value::shift_z, f.origin.z);
+    if (part.turn.side != 0) values.set(Value::side, part.turn.side);
+    values.set(Value::turn_side, part.turn.side != 0 ? part.turn.side : 1);
+    if (part.turn.table_turns) values.set(Value::table_turns, 1);
     if (!is_identity(pieces->turn)) set_turns(pieces->turn, values);
     constexpr std::array factors{Value::factor_x, Value::factor_y, Value::factor_z};
     constexpr std::array mirrors{Value::mirror_x, Value::mirror_y, Value::mirror_z};

@@ -25,7 +25,7 @@ struct Output {
     std::function<void(Note)> note;
     /// A further file, whole, for posts that have subprograms in files of their own; null: all is to be in one text.
     std::function<void(const std::string& name, std::string_view text)> file{};
-    std::function<void(const cl::Record&)> run{};  ///< what is written, where that is not what was taken (staircases)
+    std::function<void(const cl::Record&)> run{};   ///< what is written, where that is not what was taken (staircases)
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
 };
 

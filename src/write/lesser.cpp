@@ -20,7 +20,7 @@ bool take_words(Post& post, Command first, Command last) {
 
 }  // namespace
 
-bool leave_out_turns(Post& post) { return take_words(post, Command::plane_turn, Command::plane_turn_off); }
+bool leave_out_turns(Post& post) { return take_words(post, Command::plane_turn, Command::plane_move_off); }
 
 bool leave_out_frames(Post& post) { return take_words(post, Command::shift, Command::programmed_off); }
 

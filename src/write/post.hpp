@@ -15,6 +15,7 @@
 #include "cl/record.hpp"
 #include "shop/files/document.hpp"
 #include "write/commands.hpp"
+#include "write/functions.hpp"
 #include "write/hooks.hpp"
 #include "write/magazine.hpp"
 #include "write/staircase_form.hpp"
@@ -111,11 +112,11 @@ struct Post {
     bool comment_holds_quotes = true;    ///< a text may hold "
     bool comment_holds_brackets = true;  ///< a comment may hold ( and )
     std::string function_letters;        ///< of functions that the control has; empty: all
-    std::vector<std::string> functions_refused;     ///< "M29": the control would take it for nothing, or something else
-    std::vector<std::string> functions_with_speed;  ///< beside which the speed stands
-    std::size_t longest_comment = 0;                ///< 0: as long as it is
-    std::optional<HookText> lua;                    ///< functions that are asked before the templates
-    std::set<Command> hooked;                       ///< what it has functions for
+    std::vector<FunctionNumbers> functions_refused;     ///< the control would take them for nothing, or something else
+    std::vector<FunctionNumbers> functions_with_speed;  ///< beside which the speed stands
+    std::size_t longest_comment = 0;                    ///< 0: as long as it is
+    std::optional<HookText> lua;                        ///< functions that are asked before the templates
+    std::set<Command> hooked;                           ///< what it has functions for
     std::set<cl::CycleKind> hooked_cycles;
     Grammar grammar;  ///< of templates
 

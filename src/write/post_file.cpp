@@ -32,6 +32,7 @@ Usual usual_style(Value v) {
         case Value::sweep:
         case Value::held:
         case Value::rotary:
+        case Value::purpose_angle:
         case Value::axis:
         case Value::angle:
         case Value::angle_x:
@@ -50,6 +51,10 @@ Usual usual_style(Value v) {
         case Value::approach:
         case Value::entry:
         case Value::filter:
+        case Value::side:
+        case Value::turn_side:
+        case Value::table_turns:
+        case Value::purpose:
         case Value::way:
         case Value::revolutions:
         case Value::block:
@@ -206,11 +211,7 @@ private:
                     static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") read_inheritance(s);
-            if (name == "function") {
-                post_.function_letters = s.text("letters").value_or("");
-                post_.functions_refused = s.texts("refused");
-                post_.functions_with_speed = s.texts("with_speed");
-            }
+            if (name == "function") read_functions(s, post_);
             if (name == "text") {
                 post_.comment_is_plain = s.boolean("plain").value_or(false);
                 post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);

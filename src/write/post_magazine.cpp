@@ -1,6 +1,8 @@
 #include "write/post_magazine.hpp"
 
 #include <algorithm>
+#include <charconv>
+#include <string_view>
 
 #include "base/codes.hpp"
 
@@ -37,7 +39,44 @@ void read_tool(const shop::Value& table, MagazineForm& form, shop::Section& of) 
     form.tools.push_back(tool);
 }
 
+/// A whole number and nothing else.
+std::optional<std::int64_t> whole_number(std::string_view text) {
+    std::int64_t n = 0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), n);
+    if (fault != std::errc{} || end != text.data() + text.size() || n < 0) return std::nullopt;
+    return n;
+}
+
+/// A letter and a number, or two with a hyphen between them.
+std::optional<FunctionNumbers> numbers_of(std::string_view text) {
+    if (text.empty() || text.front() < 'A' || text.front() > 'Z') return std::nullopt;
+    const std::string_view numbers = text.substr(1);
+    const std::size_t hyphen = numbers.find('-');
+    const auto first = whole_number(numbers.substr(0, hyphen));
+    const auto last = hyphen == std::string_view::npos ? first : whole_number(numbers.substr(hyphen + 1));
+    if (!first || !last || *last < *first) return std::nullopt;
+    return FunctionNumbers{text.front(), *first, *last};
+}
+
+std::vector<FunctionNumbers> list_of(shop::Section& s, std::string_view key) {
+    std::vector<FunctionNumbers> out;
+    for (const shop::Value* value : s.text_values(key)) {
+        if (const auto numbers = numbers_of(value->text))
+            out.push_back(*numbers);
+        else
+            s.error(base::codes::job_value, value->where, "'" + value->text + "' is no function of a machine",
+                    "M29, or M89-150");
+    }
+    return out;
+}
+
 }  // namespace
+
+void read_functions(shop::Section& table, Post& post) {
+    post.function_letters = table.text("letters").value_or("");
+    post.functions_refused = list_of(table, "refused");
+    post.functions_with_speed = list_of(table, "with_speed");
+}
 
 void read_magazine(shop::Section& file, Post& post) {
     const shop::Entry* table = file.sub_table("magazine");

@@ -51,6 +51,17 @@ TEST(Post, ValuesAmongTheLettersOfAWord) {
     EXPECT_EQ(faults_of("[tool]\ndata = \"$P[{nobody}]={length}\"\n"), "2: there is no value called 'nobody'\n");
 }
 
+TEST(Post, FunctionsAreRefusedByTheirNumbers) {
+    const Post post = post_of("extends = \"iso\"\n[function]\nrefused = [\"M7\", \"M89-99\"]\n");
+    for (const std::int64_t n : {7, 89, 99}) EXPECT_TRUE(is_among(post.functions_refused, 'M', n)) << n;
+    for (const std::int64_t n : {6, 8, 88, 100}) EXPECT_FALSE(is_among(post.functions_refused, 'M', n)) << n;
+    EXPECT_FALSE(is_among(post.functions_refused, 'H', 7));
+    EXPECT_EQ(write(post, {cl::Auxiliary{'M', 90}, cl::Auxiliary{'M', 88}}).text, "M88\n");
+    for (const std::string wrong : {"29", "m29", "M", "M9-", "M9-8", "M9-1x"})
+        EXPECT_EQ(faults_of("[function]\nrefused = \"" + wrong + "\"\n"),
+                  "2: '" + wrong + "' is no function of a machine\n");
+}
+
 TEST(Post, FaultsHaveTheirPlace) {
     EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{w}\"\n"), "2: there is no value called 'w'\n");
     EXPECT_EQ(faults_of("[motion]\nrapid = \"G0 X{x:big}\"\n"), "2: there is no style of numbers called 'big'\n");

@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> n
     "k2-y", "k2-z", "k3-x", "k3-y", "k3-z", "lead-x", "lead-y", "lead-z", "hole-top", "hole-way", "hole-gap", "feed", "speed", "limit", "held",
     "number", "value", "edge", "turret", "raised", "wider", "offset", "own-diameter", "nose", "place", "approach", "entry",
     "around", "sharp", "way", "merge",
-    "contour", "rotary", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
-    "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "factor-x", "factor-y", "factor-z",
+    "contour", "rotary", "purpose", "purpose-angle", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
+    "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "side", "turn-side", "table-turns", "distance", "factor-x", "factor-y", "factor-z",
     "mirror-x", "mirror-y", "mirror-z", "block", "passes"};
 // clang-format on
 constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};

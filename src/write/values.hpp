@@ -95,7 +95,9 @@ enum class Value : std::uint8_t {
     merge,         ///< absent where there is none
     contour,       ///< of a tolerance
     rotary,
-    filter,  ///< 1 finishing, 2 semi-finishing, 3 roughing, 4 precision
+    purpose,        ///< filter, 10 more where the tolerance of rotary axes counts
+    purpose_angle,  ///< that one, 1 where it does not count
+    filter,         ///< 1 finishing, 2 semi-finishing, 3 roughing, 4 precision
     seconds,
     revolutions,
     // Places of the machine; absent along axes that do not go there.
@@ -110,6 +112,10 @@ enum class Value : std::uint8_t {
     angle_x,  ///< turns about the axes as they stand, x first, then y, then z
     angle_y,
     angle_z,
+    side,         ///< 1 or -1: the sign of the rotary axis that the plane is to take; absent: the control chooses
+    turn_side,    ///< side, 1 where the control chooses
+    table_turns,  ///< 1: a table turns where turning the coordinates alone would do; else absent
+    distance,     ///< from the tip to the place that the tool turns about
     factor_x,
     factor_y,
     factor_z,

@@ -205,6 +205,7 @@ void Writer::take_programmed(const cl::Programmed& p) {
         if (p.corner != cl::Corner::none) note(Fate::expanded, "a chamfer or rounding");
         return;
     }
+    if (by_moves_of_corner(p)) return;
     write_state();
     if (const auto& c = cursor_.state().compensation) select_plane(frames_.programmed_direction(c->normal));
     programmed_.push_back({now_->from, now_->stack});
@@ -216,6 +217,22 @@ void Writer::take_programmed(const cl::Programmed& p) {
     if (p.sweep == 0) return write_line(p.to, p.rapid, corner);
     cl::Arc arc{p.to, p.centre, p.normal, p.sweep, p.rapid};
     write_arc(arc, p.from, corner);
+}
+
+/// A corner with a feed of its own, where the post's words have no place for it: it and the element behind it are
+/// written by their moves. Under compensation these are the tool's path, which is none of the contour.
+bool Writer::by_moves_of_corner(const cl::Programmed& p) {
+    if (cursor_.state().compensation) return false;
+    const Command command = p.corner == cl::Corner::chamfer       ? Command::corner_chamfer
+                            : p.corner == cl::Corner::chamfer_leg ? Command::corner_chamfer_leg
+                                                                  : Command::corner_rounding;
+    const bool unsaid =
+        p.corner != cl::Corner::none &&
+        (!post_.has(command) || (p.corner_feed != 0 && !says(post_[command], index_of(Value::own_feed))));
+    if (unsaid) note(Fate::expanded, "a chamfer or rounding");
+    const bool by_moves = unsaid || corner_by_moves_;
+    corner_by_moves_ = by_moves && p.corner != cl::Corner::none;
+    return by_moves;
 }
 
 void Writer::take_event(const cl::Record& record) {

@@ -32,6 +32,8 @@ public:
     /// Writes what waits for what follows.
     void settle();
     void finish();
+    /// Behind the last record: the program begins anew, without end. False where the post has no word for that.
+    [[nodiscard]] bool begin_anew();
     /// Tools that it has called; null where the post has no magazine.
     [[nodiscard]] const Magazine* magazine() const { return magazine_ ? &*magazine_ : nullptr; }
     /// What has become of slopes and arcs; null where the post's control has both.
@@ -89,6 +91,7 @@ private:
     void take_cycle(const cl::Record& record, const cl::CycleBegin& begin);
     void take_event(const cl::Record& record);
     void take_programmed(const cl::Programmed& p);
+    [[nodiscard]] bool by_moves_of_corner(const cl::Programmed& p);
     // What is no move. Every kind is named: a new one stops this from compiling until somebody has said how it is
     // written.
     void event(const cl::ToolChange& change);
@@ -124,6 +127,7 @@ private:
     void event(const cl::Arc&) {}
     void event(const cl::Spline&) {}
     void event(const cl::Thread&) {}
+    void end_program(Command command, std::string_view what);
     [[nodiscard]] bool is_of_stop(const cl::Record& record) const;
     void write_stop();
     void end_fold();
@@ -159,12 +163,14 @@ private:
     [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
-    [[nodiscard]] bool write_turn(const cl::Linear& line);
+    [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
-    void write_spindle();
+    void write_spindle(const cl::Spindle& s);
+    void ready_spindle(const cl::Thread& tap);
     void await_coolant();
     void write_coolant();
     void write_tolerance();
+    void set_tolerance(const cl::Tolerance& t);
     void write_path();
     void begin_cycles(const std::string& defined);
     void end_cycles();
@@ -270,7 +276,8 @@ private:
     /// The rotary axes turn in the block that tilts the plane.
     struct PlaneTurn {
         bool rapid = false;
-        bool is_written = false;  ///< the words of the plane have done it
+        std::optional<double> about{};  ///< mm before the tip: what stays there; nothing: the linear axes stand
+        bool is_written = false;        ///< the words of the plane have done it
     };
     std::optional<PlaneTurn> plane_turn_;      ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
@@ -291,6 +298,7 @@ private:
     double turning_speed_ = 0;             ///< 1/min, of the spindle when it turned last
     bool rises_ = false;                   ///< the cycle that was written ends below where the tool stands behind it
     std::string tap_stops_;                ///< the tap that was written stops the spindle by itself: the word for that
+    bool spindle_ready_ = false;           ///< for the tap that is being written
     bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
     geom::Vec3 tap_from_;                  ///< where that one began
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say
@@ -301,6 +309,7 @@ private:
         Values values;
     };
     std::optional<Lead> lead_;        ///< the way onto a contour that is being read
+    bool corner_by_moves_ = false;    ///< of the last element
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
     bool ended_ = false;

@@ -163,4 +163,11 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
         arc.rapid, corner);
 }
 
+void Writer::select_plane(const geom::Vec3& normal) {
+    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
+    const Command plane = z >= x && z >= y ? Command::plane_xy : y >= x ? Command::plane_zx : Command::plane_yz;
+    values_.clear();
+    static_cast<void>(put(plane, {}, "a plane"));
+}
+
 }  // namespace obrys::write

@@ -6,9 +6,12 @@
 
 namespace obrys::write {
 
-/// What switches it on; nothing where the program says the radius itself and the post has no word for that.
+/// What switches it on; nothing where the program says the radius itself and the post has no word for that. The side is
+/// that of the stream's normal: a mirror, or a plane seen from behind, makes the other one of it in the text.
 std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begin) const {
-    const bool left = begin.side == cl::CompensationSide::left;
+    const geom::Vec3 n = frames_.programmed_direction(begin.normal);
+    const bool other = (n.x + n.y + n.z < 0) != frames_.mirrors();
+    const bool left = (begin.side == cl::CompensationSide::left) != other;
     if (!begin.given) return left ? Command::compensation_left : Command::compensation_right;
     const Command command = left ? Command::compensation_left_by : Command::compensation_right_by;
     return post_.has(command) ? std::optional(command) : std::nullopt;
@@ -16,6 +19,8 @@ std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begi
 
 void Writer::event(const cl::CompensationBegin& begin) {
     if (plain_) return;
+    write_state();  // the frame in which its side counts
+    values_.clear();
     const std::optional<Command> wanted = compensation_of(begin);
     if (!wanted || !post_.has(*wanted)) {
         end_compensation_alone(Urgency::now);  // of the contour before

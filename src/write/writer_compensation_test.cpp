@@ -100,5 +100,26 @@ TEST(WriterCompensation, AContourThatIsWrittenByItsPathIsNotWrittenUnderTheCompe
     EXPECT_NE(w.text.find("\nG40\nX40. Y23.\n"), std::string::npos) << w.text;
 }
 
+/// A mirror that the post cannot say, or says: the side counts in the frame of the text.
+TEST(WriterCompensation, ItsSideIsThatOfTheFrameOfTheText) {
+    cl::Frame mirror{{{cl::FrameKind::mirror, geom::Frame::scaling({-1, 1, 1})}}};
+    cl::CompensationBegin begin;
+    begin.radius = 0, begin.offset = 1, begin.normal = {0, 0, -1};
+    const std::vector<cl::Step> steps{tool(1),
+                                      mirror,
+                                      cl::Linear{{20, -20, 0}, {0, 0, 1}, true},
+                                      cl::Feed{100},
+                                      begin,
+                                      element({20, -20, 0}, {0, 0, 0}),
+                                      cl::Linear{{0, 0, 0}},
+                                      cl::CompensationEnd{}};
+    const std::string plain = write(post_of("extends = \"iso\"\n"), steps).text;
+    EXPECT_NE(plain.find("G42 D1 X0 Y0"), std::string::npos) << plain;
+    const std::string said =
+        write(post_of("extends = \"iso\"\n[frame]\nmirror = \"G51.1 X0\"\nmirror-off = \"G50.1 X0\"\n"), steps).text;
+    EXPECT_NE(said.find("G51.1 X0\n"), std::string::npos) << said;
+    EXPECT_NE(said.find("G41 D1 X0 Y0"), std::string::npos) << said;
+}
+
 }  // namespace
 }  // namespace obrys::write

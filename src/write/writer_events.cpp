@@ -34,13 +34,27 @@ void Writer::event(const cl::Stop& stop) {
         stop_waits_ = *now_;
         return;
     }
+    end_program(Command::stop_end, "a stop");
+}
+
+void Writer::end_program(Command command, std::string_view what) {
     write_all();
     end_compensation_alone(Urgency::at_end);
-    write_frame();  // what was cancelled is not to hold for the next program
+    write_frame();                                     // what was cancelled is not to hold for the next program
+    if (command == Command::stop_again) end_cycles();  // the end of the program ends them by itself
     values_.clear();
     ended_ = true;
-    print(Command::stop_end, "a stop");
+    print(command, what);
     spill_parts();
+}
+
+bool Writer::begin_anew() {
+    if (ended_ || !post_.has(Command::stop_again)) return false;
+    if (stairs_) stairs_->finish();
+    if (stop_waits_) write_stop();
+    flush_held();
+    end_program(Command::stop_again, "the way back to the begin of the program");
+    return true;
 }
 
 /// What its block does besides holds while the machine stands, and is written before it.
@@ -81,12 +95,10 @@ void Writer::event(const cl::Auxiliary& aux) {
     const std::string& letters = post_.function_letters;
     if (!letters.empty() && letters.find(aux.letter) == std::string::npos)
         return note(Fate::lost, what + ": the control has no functions of this letter");
-    const auto is_of = [&](const std::vector<std::string>& list) {
-        return std::find(list.begin(), list.end(), what.substr(what.rfind(' ') + 1)) != list.end();
-    };
-    if (is_of(post_.functions_refused)) return note(Fate::lost, what + ", which means nothing to this control,");
+    if (is_among(post_.functions_refused, aux.letter, aux.number))
+        return note(Fate::lost, what + ", which means nothing to this control, or something else,");
     const double speed = cursor_.state().spindle.speed;
-    if (is_of(post_.functions_with_speed) && speed > 0) values_.set(Value::speed, speed);
+    if (is_among(post_.functions_with_speed, aux.letter, aux.number) && speed > 0) values_.set(Value::speed, speed);
     print(Command::function, what);
 }
 

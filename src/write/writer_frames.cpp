@@ -21,6 +21,13 @@ bool is_same_plane(const cl::FramePart* a, const cl::FramePart* b) {
     return a == nullptr || b == nullptr ? a == b : *a == *b;
 }
 
+bool is_place_known(const cl::MachinePlace& place) {
+    const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
+    for (std::size_t k = 0; k < to.size(); ++k)
+        if (place.axes[k] && !std::isfinite(to[k])) return false;
+    return true;
+}
+
 constexpr std::string_view frame_table = "frame.";  ///< of the names of its commands
 
 }  // namespace
@@ -38,17 +45,40 @@ bool Writer::take_places_of_axes() {
 
 /// The block that changes the plane is the one that moves the axes.
 bool Writer::turns_with_plane(const cl::Step& step) const {
-    if (!std::holds_alternative<cl::Linear>(step) || axes_.empty() || place_ || now_ == nullptr) return false;
+    const bool stays = place_ && place_->kind == cl::PlaceKind::frame;
+    if (!std::holds_alternative<cl::Linear>(step) || axes_.empty() || (place_ && !stays) || now_ == nullptr)
+        return false;
     const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
     return !(block == Source{}) && block == Source{now_->from, now_->stack} &&
            !is_same_plane(plane_of(cursor_.state().frame.parts), plane_of(frames_.parts()));
 }
 
+namespace {
+
+/// How far before the tip the place lies that the tool has turned about; nothing where it is none on its axis, or
+/// nobody knows.
+std::optional<double> distance_of_turn(const geom::Vec3& from, const cl::Linear& line, const geom::Vec3& axis_before) {
+    constexpr double still = 1e-9, beside = 1e-4;  // mm
+    const geom::Vec3 way = line.to - from, turn = line.axis - axis_before;
+    const double square = geom::dot(turn, turn);
+    if (square < still) return 0;
+    const double distance = geom::dot(way, turn) / square;
+    const bool fits = geom::length(way - distance * turn) <= beside;  // never of what is not known
+    return fits ? std::optional(std::abs(distance) < beside ? 0 : distance) : std::nullopt;
+}
+
+}  // namespace
+
 /// Writes the plane with the turn of its axes; false where the post cannot, and the move is yet to be written.
-bool Writer::write_turn(const cl::Linear& line) {
+bool Writer::write_turn(const cl::Linear& line, const geom::Vec3& from) {
     plane_turn_ = PlaneTurn{line.rapid};
+    if (place_) {
+        plane_turn_->about = distance_of_turn(from, line, pointed_);
+        if (!plane_turn_->about) return plane_turn_.reset(), false;
+    }
+    const auto place = std::exchange(place_, std::nullopt);
     write_state();
-    if (!std::exchange(plane_turn_, std::nullopt)->is_written) return false;
+    if (!std::exchange(plane_turn_, std::nullopt)->is_written) return place_ = place, false;
     axes_.clear();
     pointed_ = line.axis;
     return true;
@@ -58,9 +88,12 @@ bool Writer::write_turn(const cl::Linear& line) {
 std::optional<Command> Writer::turning_form(Command plain) const {
     if (!plane_turn_) return std::nullopt;
     std::optional<Command> form;
-    if (plain == Command::plane) form = Command::plane_turn;
-    if (plain == Command::plane_off) form = Command::plane_turn_off;
-    return form && post_.has(*form) ? form : std::nullopt;
+    if (plain == Command::plane) form = plane_turn_->about ? Command::plane_move : Command::plane_turn;
+    if (plain == Command::plane_off) form = plane_turn_->about ? Command::plane_move_off : Command::plane_turn_off;
+    if (!form || !post_.has(*form)) return std::nullopt;
+    const bool by_feed = plane_turn_->rapid || has_part(post_[*form], Part::feed);
+    const bool about = plane_turn_->about.value_or(0) == 0 || says(post_[*form], index_of(Value::distance));
+    return by_feed && about ? form : std::nullopt;
 }
 
 void Writer::write_frame() {
@@ -83,7 +116,11 @@ void Writer::write_frame() {
     for (const FrameStep& step : *steps) {
         values_.clear();
         static_cast<void>(frame_values(step.part, values_));
-        const auto turning = &step == &steps->back() ? turning_form(step.command) : std::nullopt;
+        if (plane_turn_ && plane_turn_->about) values_.set(Value::distance, *plane_turn_->about);
+        // Axes come in the order of the machine's chain: the last one is that whose sign tells the two positions apart.
+        if (plane_turn_ && !axes_.empty() && !values_.has(index_of(Value::side)))
+            values_.set(Value::turn_side, axes_.back().to < 0 ? -1 : 1);
+        const auto turning = turning_form(step.command);
         const Command command = turning.value_or(step.command);
         const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
         const bool printed = print(command, what, turning && plane_turn_->rapid);
@@ -94,7 +131,10 @@ void Writer::write_frame() {
 /// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
 Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
     if (place.kind == cl::PlaceKind::fixed) return Command::machine_fixed;
-    if (place.kind == cl::PlaceKind::home) return place.number > 1 ? Command::machine_second : Command::machine_home;
+    if (place.kind == cl::PlaceKind::home) {
+        const Command home = place.number > 1 ? Command::machine_second : Command::machine_home;
+        if (post_.has(home) || !is_place_known(place)) return home;  // else by its coordinates
+    }
     const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
     const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
     return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
@@ -106,11 +146,10 @@ bool Writer::write_place(const cl::Linear& line) {
     const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
     if (place.kind == cl::PlaceKind::frame) return write_said(line, place);
     const Command command = place_command(place, line.rapid);
-    const bool said = place.kind != cl::PlaceKind::coordinates;
+    const bool said =
+        command == Command::machine_home || command == Command::machine_second || command == Command::machine_fixed;
     const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
-    bool known = true;
-    for (std::size_t k = 0; k < 3; ++k) known = known && (said || !place.axes[k] || std::isfinite(to[k]));
-    if (!post_.has(command) || !known) {
+    if (!post_.has(command) || (!said && !is_place_known(place))) {
         const geom::Vec3 p = line.to;
         const std::string why =
             place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command)) : "";

@@ -117,7 +117,10 @@ void Writer::take_axes(Parts& parts, bool home) {
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
     note_cut_without_tool(rapid);
-    if (!post_.has(command)) return note(Fate::lost, "a move: the post has no " + std::string(name_of(command)));
+    const std::string_view special = special_move(command);
+    if (!post_.has(command))
+        return note(Fate::lost, std::string(special.empty() ? "a move" : special) + ": the post has no " +
+                                    std::string(name_of(command)));
     if (const auto& c = cursor_.state().compensation) {
         values_.set(Value::offset, c->offset != 0 ? c->offset : cursor_.state().change.number);
         if (c->given) values_.set(Value::own_diameter, 2 * c->radius);
@@ -219,12 +222,15 @@ void Writer::note_direction(const geom::Vec3& axis) {
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
-    if (axes_turn && turns_with_plane(step) && write_turn(*line)) return;
+    if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
     coolant_may_wait_ =
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     // The spindle of a tap reverses by itself.
     const auto* thread = std::get_if<cl::Thread>(&step);
-    if (thread == nullptr || !thread->rigid_tap || !tap_returns_) write_state();
+    const bool taps = thread != nullptr && thread->rigid_tap;
+    if (taps && !tap_returns_) ready_spindle(*thread);
+    if (!taps || !tap_returns_) write_state();
+    spindle_ready_ = false;
     coolant_may_wait_ = false;
     printer_.stand_at(frames_.programmed(from));
     write_way(step, from);
@@ -303,7 +309,21 @@ void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
 void Writer::set_tap() {
     const cl::Spindle& spindle = cursor_.state().spindle;
     if (spindle.speed > 0 && spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, spindle.speed);
-    values_.set(Value::held, 0);
+    const bool known = spindle.held && !std::isnan(*spindle.held);
+    values_.set(Value::held, known ? *spindle.held : 0);
+}
+
+/// Before a tap the spindle stands where the post's word for it wants that, by that word itself; else it turns as the
+/// thread does, also where the program has held it.
+void Writer::ready_spindle(const cl::Thread& tap) {
+    cl::Spindle now = cursor_.state().spindle;
+    if (!(now.speed > 0) || !post_.has(Command::tap)) return;
+    spindle_ready_ = says(post_[Command::tap], index_of(Value::held));
+    if (spindle_ready_ || now.direction != 0 || !(std::abs(tap.pitch) > 0)) return;
+    now.direction = tap.pitch > 0 ? 1 : -1;
+    now.held.reset();
+    write_spindle(now);
+    spindle_ready_ = true;
 }
 
 /// Words of taps are said anew for each of them. A spindle that was held before it does not turn behind it by itself.
@@ -311,7 +331,7 @@ void Writer::leave_tap(Command command) {
     printer_.leave(post_[command]);
     if (!says(post_[command], index_of(Value::held))) return;
     spindle_.direction = 0;
-    spindle_.held = 0;
+    spindle_.held = cursor_.state().spindle.held.value_or(0);
     printer_.leave(post_[Command::spindle_cw]);
 }
 

@@ -15,7 +15,7 @@ void Writer::write_state() {
     write_length();
     write_frame();
     await_coolant();
-    if (!tap_returns_) write_spindle();  // reversed by the word of the tap
+    if (!tap_returns_ && !spindle_ready_) write_spindle(cursor_.state().spindle);  // else the word of the tap does it
     if (!coolant_may_wait_) write_coolant();
     write_tolerance();
     write_path();
@@ -201,13 +201,15 @@ void Writer::write_datum() {
     const cl::Datum& datum = cursor_.state().datum;
     const bool none_yet = datum.number == 0 && std::isnan(datum.origin.x) && !datum_;
     if (none_yet) return;
-    if (datum_ && datum_->number == datum.number) return write_datum_anew();
+    constexpr std::uint32_t none_selected = 500;
+    const bool by_word = datum.number != none_selected || datum.selected;
+    if (datum_ && datum_->number == datum.number && datum_->selected == datum.selected) return write_datum_anew();
     const bool first = !datum_;
     datum_ = datum;
+    if (first && !by_word) return;  // the zero that the control has without a word
     end_cycles();
     end_compensation_alone(Urgency::may_wait);
     printer_.forget_coordinates();
-    constexpr std::uint32_t none_selected = 500;
     for (const DatumForm& form : post_.datums) {
         if (datum.number < form.from || datum.number > form.to || form.text.empty()) continue;
         values_.clear();
@@ -222,9 +224,8 @@ void Writer::write_datum() {
         note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
 }
 
-void Writer::write_spindle() {
+void Writer::write_spindle(const cl::Spindle& s) {
     const About about(*this, Topic::spindle);
-    const cl::Spindle& s = cursor_.state().spindle;
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
     if (same(s.speed, spindle_.speed) && s.mode == spindle_.mode && s.direction == spindle_.direction &&
         same(s.limit, spindle_.limit) && s.held.has_value() == spindle_.held.has_value() &&
@@ -280,15 +281,28 @@ void Writer::write_tolerance() {
     const cl::Tolerance& t = cursor_.state().tolerance;
     if (t == tolerance_) return;
     tolerance_ = t;
-    values_.clear();
-    if (t == cl::Tolerance{}) {
-        print(Command::tolerance_reset, "a tolerance");
-        return;
+    const bool ends = t == cl::Tolerance{};
+    const Command command = ends ? Command::tolerance_reset : Command::tolerance_set;
+    if (!post_.has(command)) {
+        Note left_out{
+            Fate::expanded, "a tolerance of the path: the post has no " + std::string(name_of(command)), {}, 0, 0};
+        left_out.instead = "is left out";
+        return note_at(std::move(left_out));
     }
+    values_.clear();
+    if (!ends) set_tolerance(t);
+    print(command, "a tolerance");
+}
+
+void Writer::set_tolerance(const cl::Tolerance& t) {
     values_.set(Value::contour, t.contour);
     if (t.rotary != 0) values_.set(Value::rotary, t.rotary);
     if (t.filter != cl::Filter::none) values_.set(Value::filter, static_cast<double>(t.filter));
-    print(Command::tolerance_set, "a tolerance");
+    // In one number, as SINUMERIK has it; its cycle wants a purpose and an angle also where they count nothing.
+    constexpr double finishing = 1, with_angle = 10;
+    const double purpose = t.filter == cl::Filter::none ? finishing : static_cast<double>(t.filter);
+    values_.set(Value::purpose, purpose + (t.rotary != 0 ? with_angle : 0));
+    values_.set(Value::purpose_angle, t.rotary != 0 ? t.rotary : 1);
 }
 
 void Writer::write_path() {
@@ -302,7 +316,15 @@ void Writer::write_path() {
     if (path->merge != 0) values_.set(Value::merge, path->merge);
     if (path->way != 0) values_.set(Value::way, path->way);
     const auto first = static_cast<std::size_t>(Command::path_exact);
-    print(static_cast<Command>(first + static_cast<std::size_t>(path->kind)), "how moves are joined");
+    auto command = static_cast<Command>(first + static_cast<std::size_t>(path->kind));
+    if (command == Command::path_within && !post_.has(command) && post_.has(Command::path_free)) {
+        Note left_out{
+            Fate::expanded, "the tolerance within which moves are joined: the post has no path.within", {}, 0, 0};
+        left_out.instead = "is left out";
+        note_at(std::move(left_out));
+        command = Command::path_free;
+    }
+    print(command, "how moves are joined");
 }
 
 /// A series of cycles whose parameters hold from its begin.
@@ -319,13 +341,6 @@ void Writer::end_cycles() {
     series_says_.clear();
     values_.clear();
     static_cast<void>(put(Command::cycle_end, {}, "the end of cycles"));
-}
-
-void Writer::select_plane(const geom::Vec3& normal) {
-    const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
-    const Command plane = z >= x && z >= y ? Command::plane_xy : y >= x ? Command::plane_zx : Command::plane_yz;
-    values_.clear();
-    static_cast<void>(put(plane, {}, "a plane"));
 }
 
 }  // namespace obrys::write

@@ -1,10 +1,16 @@
 /// Cycles that the control itself has and calls like programs; one of the user with that name counts before them
 /// (SINUMERIK search path: the program's folder, subprograms, then the cycles of user, builder and control).
 
+#include <array>
 #include <cmath>
+#include <span>
 
 #include "base/codes.hpp"
+#include "base/whole.hpp"
 #include "interp/calls/calls.hpp"
+#include "interp/setup/setup.hpp"
+#include "interp/setup/tilted_axes.hpp"
+#include "shop/kinematics.hpp"
 
 namespace obrys::interp {
 
@@ -27,31 +33,101 @@ std::optional<double> plain(Reckoning& run, const Call& call, std::size_t i) {
     return v.number;
 }
 
-/// CYCLE832(tolerance, mode, …): nothing moves. Without arguments and with tolerance 0 it is switched off.
-void path_tolerance(Reckoning& run, const Call& call) {
-    const auto tolerance = plain(run, call, 0);
+/// CYCLE832(tolerance, mode, tolerance of rotary axes): nothing moves. Without arguments and with tolerance 0 it is
+/// switched off. The last digit of the mode is 1 finishing, 2 semi-finishing, 3 roughing, 4 precision; the one before
+/// it 1 where the third argument counts. Source: SINUMERIK Operate, cycles, "High Speed Settings (CYCLE832)".
+void path_tolerance(Telling& run, const Call& call) {
+    const auto tolerance = plain(run, call, 0), mode = plain(run, call, 1), rotary = plain(run, call, 2);
     if (run.stopped) return;
     if (!tolerance) return unchecked(run, codes::unknown_value, call.where, "the tolerance of this cycle is not known");
     run.modal.tolerance_by = "CYCLE832";
     run.modal.tolerance_cycle = std::abs(*tolerance) * length_unit(run.modal);
+    cl::Tolerance t;
+    t.contour = run.modal.tolerance_cycle;
+    const int digits = base::whole<int>(mode.value_or(0), 0, 999'999).value_or(0);
+    constexpr int precision = 4;
+    if (t.contour > 0 && digits % 10 <= precision) t.filter = static_cast<cl::Filter>(digits % 10);
+    if (t.contour > 0 && digits / 10 % 10 == 1) t.rotary = std::abs(rotary.value_or(0));
+    flush_path(run);
+    emit(run, t);
 }
 
-/// CYCLE800(_FR,_TC,_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR,…) as far as it turns and shifts nothing: it ends
-/// the tilted plane and, where it does not add to it (_ST), the programmed frame.
-void swivel(Telling& run, const Call& call) {
-    constexpr std::size_t retract = 0, status = 2, first = 4, last = 12;
-    const std::string_view why = "it tilts the working plane";
-    for (std::size_t i = first; i <= last && !run.stopped; ++i)
-        if (const auto v = plain(run, call, i); !v || *v != 0) return not_run(run, call, std::string(why));
-    const auto away = plain(run, call, retract), kind = plain(run, call, status);
+/// Numbers of CYCLE800(_FR,_TC,_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR); nothing where one is not known.
+std::optional<std::array<double, 14>> swivel_numbers(Reckoning& run, const Call& call) {
+    constexpr std::size_t name = 1;
+    std::array<double, 14> out{};
+    for (std::size_t i = 0; i < out.size(); ++i) {
+        const auto v = i == name ? std::optional(0.0) : plain(run, call, i);
+        if (run.stopped || !v) return std::nullopt;
+        out[i] = *v;
+    }
+    return out;
+}
+
+/// Three turns, each about an axis of the system that the ones before have turned; pairs of bits of the mode name it: 1
+/// X, 2 Y, 3 Z. Nothing where an angle has none.
+std::optional<geom::Frame> turned_axis_by_axis(int mode, std::span<const double> angles) {
+    geom::Frame f;
+    for (const double angle : angles) {
+        const int axis = mode & 3;
+        mode /= 4;
+        if (axis == 0 && angle != 0) return std::nullopt;
+        if (axis != 0) f = f * geom::Frame::rotation(axis - 1, geom::radians(angle));
+    }
+    return f;
+}
+
+/// Why a form of CYCLE800 is not run; empty: it is.
+std::string_view why_no_swivel(const std::array<double, 14>& n, bool turns) {
+    constexpr std::size_t retract = 0, status = 2, mode = 3;
+    constexpr double most_status = 11, other_angles = 64;  // _ST: new or additive, with or without tracking of the tip
+    if (n[retract] != 0) return "it retracts the tool first to a position of the machine";
+    const bool is_plain = n[status] == 0 || n[status] == 1 || n[status] == 10 || n[status] == most_status;
+    if (!is_plain) return "what it says with _ST besides new, additive and tracking of the tip is not followed";
+    if (turns && !(n[mode] >= 0 && n[mode] < other_angles)) return "its angles are not said axis by axis (_MODE)";
+    return {};
+}
+
+geom::Vec3 vector_at(const std::array<double, 14>& n, std::size_t first, double unit) {
+    return unit * geom::Vec3{n[first], n[first + 1], n[first + 2]};
+}
+
+/// CYCLE800: shift to X0 Y0 Z0, turn, shift to X1 Y1 Z1 in the turned system. The programmed frame ends, and without
+/// angles the tilted plane. _DIR: the rotary axes go there, to the smaller or the greater of their two positions; 0:
+/// they stand. Source: SINUMERIK Operate, "Swivel plane/swivel tool (CYCLE800)".
+void swivel_plane(Calling& run, const Call& call) {
+    const auto numbers = swivel_numbers(run, call);
     if (run.stopped) return;
-    if (!away || *away != 0) return not_run(run, call, "it retracts the tool first to a position of the machine");
-    if (!kind || std::fmod(*kind, 10) != 0) return not_run(run, call, "it adds to the tilted plane in force");
-    if (run.modal.programmed == geom::Frame{}) return;
-    assume(run, call.where, "this cycle ends the programmed frame too (TRANS, ROT, SCALE, MIRROR)",
-           "write the frame behind it");
+    if (!numbers) return not_run(run, call, "it tilts the working plane by a value that is not known");
+    const std::array<double, 14>& n = *numbers;
+    constexpr std::size_t status = 2, mode = 3, before = 4, angles = 7, behind = 10, direction = 13;
+    const bool turns = n[angles] != 0 || n[angles + 1] != 0 || n[angles + 2] != 0;
+    if (const std::string_view why = why_no_swivel(n, turns); !why.empty()) return not_run(run, call, std::string(why));
+    const auto turned =
+        turned_axis_by_axis(base::whole<int>(n[mode], 0, 63).value_or(0), std::span(n).subspan(angles, 3));
+    if (!turned) return not_run(run, call, "its _MODE names no axis for an angle");
+    const double unit = length_unit(run.modal);
+    geom::Frame plane =
+        geom::Frame::shift(vector_at(n, before, unit)) * *turned * geom::Frame::shift(vector_at(n, behind, unit));
+    if (std::fmod(n[status], 10) == 1) plane = active_plane(run) * plane;
+    flush_path(run);
+    if (!(run.modal.programmed == active_plane(run)))
+        assume(run, call.where, "this cycle ends the programmed frame too (TRANS, ROT, SCALE, MIRROR)",
+               "write the frame behind it");
+    const bool was_tilted = tilted(run), has_axes = shop::has_rotary(shop::chain_of(run.env.machine));
+    const BeforeSwivel stood{on_workpiece(run), axis_of_tool(run), 0};
+    const geom::Vec3 axis_before = run.tool_axis;
     run.modal.programmed = {};
-    update_frame(run);
+    if (turns || was_tilted || plane == geom::Frame{})
+        tilt(run, plane, {n[direction], false}, call.where);
+    else
+        run.modal.programmed = plane, update_frame(run);
+    if (run.stopped) return;
+    constexpr double tracks = 10;
+    if (n[direction] != 0 && (turns || was_tilted || has_axes))
+        swivel(run, n[status] >= tracks, stood, call.where);
+    else
+        tell_rotary(run, axis_before);
 }
 
 }  // namespace
@@ -60,7 +136,7 @@ void control_cycle(Calling& run, const Call& call) {
     if (call.kind == program::CallKind::modal) run.modal_call = {};
     switch (call.control_cycle) {
         case ControlCycle::path_tolerance: return path_tolerance(run, call);
-        case ControlCycle::swivel: return swivel(run, call);
+        case ControlCycle::swivel: return swivel_plane(run, call);
         default: return not_run(run, call, run.unit().problems[call.problem].reason);
     }
 }

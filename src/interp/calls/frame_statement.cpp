@@ -74,11 +74,11 @@ void frame_statement(Calling& run, const program::Statement& s, std::uint32_t in
         return;
     }
     if (empty)
-        run.modal.programmed = {};  // TRANS alone deletes every programmed frame, ATRANS alone too
+        run.modal.programmed = active_plane(run);  // TRANS alone deletes every programmed frame, ATRANS alone too
     else if (call.additive)
         run.modal.programmed = run.modal.programmed * part_of(run, call.op);
     else
-        run.modal.programmed = part_of(run, call.op);
+        run.modal.programmed = active_plane(run) * part_of(run, call.op);
     report_unused(run);
     update_frame(run);
 }

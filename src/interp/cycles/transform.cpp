@@ -156,8 +156,7 @@ bool tolerance(Telling& run, const ActiveCycle& c) {
 
 /// Cycle 13 says the angle; the spindle goes there, and stands, with M19.
 bool orientation(Telling& run, const ActiveCycle& c) {
-    const double angle = written_value(run, c, CycleRole::spindle_angle).value;
-    emit(run, cl::Comment{"spindle orientation to " + printed(Value::real(angle)) + " degrees with M19", false});
+    run.spindle.orientation = written_value(run, c, CycleRole::spindle_angle).value;
     return true;
 }
 

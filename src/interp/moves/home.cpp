@@ -83,6 +83,19 @@ void to_home(Moving& run, bool all) {
 
 }  // namespace
 
+namespace {
+
+/// G91 G28 Z0: by way of where the tool stands. Where that is not known, there is no move to a place that is not known.
+bool stands_by_way(const Moving& run, const geom::Vec3& by_way) {
+    const auto moves = [&](int k) { return run.block.has(axis_code(k)) && run.block.peek(axis_code(k)) != 0; };
+    if (run.modal.absolute || geom::is_finite(by_way) || run.env.tell_settings) return false;
+    for (int k = 0; k < 9; ++k)
+        if (moves(k)) return false;
+    return true;
+}
+
+}  // namespace
+
 void go_home(Moving& run) {
     flush_path(run);
     bool any = false;
@@ -95,8 +108,9 @@ void go_home(Moving& run) {
         others = others || (run.block.has(axis_code(k)) && counts);
     }
     if (others) extra_axes(run);
+    const bool stands = stands_by_way(run, by_way);
     arrive(run, by_way);
-    emit(run, cl::Linear{run.position, run.tool_axis, true});
+    if (!stands || others) emit(run, cl::Linear{run.position, run.tool_axis, true});
     to_home(run, !any);
     if (!run.traits->home_cancels_length || run.offsets.length == Offsets::Length::none) return;
     if (run.block.has(Code::offset_h))

@@ -111,8 +111,15 @@ void plane(Moving&, const program::Special&);
 /// Tells the stream where the rotary axes stand that the program has moved, whether that counts, and the tool's axis
 /// where it is another than before: by a rapid on the spot, since arcs do not say it.
 void tell_rotary(Telling&, const geom::Vec3& axis_before);
-/// MOVE, TURN: the rotary axes go where `aim` said. `on_workpiece`: where the tip stood before the plane changed.
-void swivel(Moving&, bool keeps_tip, const geom::Vec3& on_workpiece, const base::Span& where);
+/// How the tool stood before the plane changed, seen from the workpiece, and what MOVE says besides.
+struct BeforeSwivel {
+    geom::Vec3 tip, axis;
+    double distance = 0;  ///< mm before the tip at which the place stays that is turned about (DIST)
+};
+/// MOVE, TURN: the rotary axes go where `aim` said.
+void swivel(Moving&, bool keeps_tip, const BeforeSwivel&, const base::Span& where);
+/// Where the tool's axis points, seen from the workpiece, the rotary axes as they stand.
+[[nodiscard]] geom::Vec3 axis_of_tool(const Reckoning&);
 /// The position as seen from the workpiece, whatever counts.
 [[nodiscard]] geom::Vec3 on_workpiece(const Reckoning&);
 /// The position in the machine's directions, as though no rotary axis counted, and back.

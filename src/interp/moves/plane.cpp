@@ -109,7 +109,7 @@ void plane(Moving& run, const Special& s) {
     if (how == stay)
         tell_rotary(run, axis_before);
     else
-        swivel(run, how == move, tip, s.where);
+        swivel(run, how == move, {tip, axis_of_tool(run), datum_of(run, s, Datum::distance)}, s.where);
 }
 
 }  // namespace obrys::interp

@@ -39,10 +39,30 @@ void tell_rotary(Telling& run, const Vec3& axis_before) {
     emit(run, cl::Linear{run.position, run.tool_axis, true});
 }
 
-void swivel(Moving& run, bool keeps_tip, const Vec3& tip, const base::Span& where) {
+Vec3 axis_of_tool(const Reckoning& run) {
+    const shop::Chain chain = shop::chain_of(run.env.machine);
+    const Vec3 in_table = geom::apply_direction(shop::spindle_frame(chain, rotary(run).values), {0, 0, 1});
+    const auto turn = run.env.machine.datum_rotations.find(run.reference_datum);
+    if (turn == run.env.machine.datum_rotations.end()) return in_table;
+    return geom::apply_direction(geom::Frame::rotation(2, -turn->second), in_table);
+}
+
+namespace {
+
+/// What lies DIST before the tip stays where it is on the workpiece. Source: TNC 620 User's Manual (Conversational,
+/// 10/2017), "Dist. tool tip - center of rot. (incremental)": DIST shifts the center of rotation relative to the tip; a
+/// tool at this distance from the workpiece is at the same place of it afterwards.
+Vec3 turned_about(const BeforeSwivel& before, const Vec3& axis) {
+    if (before.distance == 0) return before.tip;
+    return before.tip + before.distance * (axis - before.axis);
+}
+
+}  // namespace
+
+void swivel(Moving& run, bool keeps_tip, const BeforeSwivel& was, const base::Span& where) {
     if (run.aimed_at.empty()) {
         unchecked(run, codes::unsupported, where,
-                  "the positions of the rotary axes that PLANE ... MOVE or TURN goes to depend on the machine's "
+                  "the positions to which the rotary axes go for this plane depend on the machine's "
                   "kinematics, which are not known: they are not followed",
                   "name a machine with its rotary axes (chain, docs/machine-file.md)");
         return;
@@ -58,7 +78,7 @@ void swivel(Moving& run, bool keeps_tip, const Vec3& tip, const base::Span& wher
         take_along(run, axis_end(j.name, to, true, tilted(run)));
     }
     if (keeps_tip)
-        stand_at(run, tip);
+        stand_at(run, turned_about(was, axis_of_tool(run)));
     else
         recount(run, before);
     // Else nobody could tell both where the place is not known.

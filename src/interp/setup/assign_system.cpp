@@ -17,6 +17,9 @@ namespace {
 std::uint64_t system_key(Reckoning& run, const Expr& e) { return (std::uint64_t{e.a} << 32) ^ undefined_key(run, e); }
 
 void assign_frame(Telling& run, const Expr& target, const program::Assign& a) {
+    if (!(active_plane(run) == geom::Frame{}))
+        return unchecked(run, codes::unsupported, run.unit().span(a.target),
+                         "a frame that is assigned under a tilted plane is not followed", "write TRANS and AROT");
     if (is_component(run, target)) {
         geom::Frame frame = run.modal.programmed;
         write_component(run, target, frame, a.value);

@@ -27,6 +27,8 @@ void select_kept_datum(Telling& run, std::uint32_t number) {
 
 void set_datum(Telling& run, std::uint32_t number) {
     if (run.modal.datum != number) run.datum_complained = false;
+    if (!run.modal.datum_said) run.told.current = false;
+    run.modal.datum_said = true;
     if (keeps_offsets(run)) return select_kept_datum(run, number);
     if (run.modal.datum == number) return;
     flush_path(run);

@@ -47,12 +47,20 @@ void place_transform(Telling& run, TransformKind kind, const geom::Frame& frame)
     update_programmed(run);
 }
 
+namespace {
+
+std::int8_t sign_of(double v) { return v > 0 ? std::int8_t{1} : v < 0 ? std::int8_t{-1} : std::int8_t{0}; }
+
+}  // namespace
+
 void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, const base::Span& where) {
     leave_compensation(run, "the working plane is tilted");
     if (run.stopped) return;
     flush_path(run);
     const Rotary before = rotary(run);
     place_transform(run, TransformKind::plane, plane);
+    if (const auto at = find_transform(run, TransformKind::plane); at != run.modal.transforms.end())
+        at->turn = {sign_of(choice.side), choice.table_turns};
     aim(run, choice, where);
     recount(run, before);
     const geom::Vec3 normal = geom::apply_direction(run.modal.programmed, {0, 0, 1});

@@ -21,14 +21,16 @@ bool in_block(const Moving& run, int m) {
 void stop_spindle(Moving& run) {
     run.spindle.direction = 0;
     run.spindle.direction_known = true;
+    run.spindle.held.reset();
     emit_spindle(run);
 }
 
-/// Degrees of SPOS, or of M19 where its R says so; of M19 alone the machine knows. Nothing: the block holds no spindle.
+/// Degrees of SPOS, of M19 where its R says so, or what a cycle has set for M19 (CYCL DEF 13); of M19 alone the machine
+/// knows. Nothing: the block holds no spindle.
 std::optional<double> held_at(const Moving& run) {
     if (run.block.has(Code::spindle_position)) return run.block.peek(Code::spindle_position);
     if (!in_block(run, 19)) return std::nullopt;
-    return run.block.has(Code::radius) ? run.block.peek(Code::radius) : NAN;
+    return run.block.has(Code::radius) ? run.block.peek(Code::radius) : run.spindle.orientation;
 }
 
 /// S; true where it changed something.
@@ -102,7 +104,9 @@ void emit_spindle(Moving& run) {
     s.mode = run.modal.surface_speed ? cl::SpindleMode::surface : cl::SpindleMode::rpm;
     s.direction = static_cast<std::int8_t>(run.spindle.direction);
     s.limit = run.modal.surface_speed ? run.spindle.limit : 0;
-    if (s.direction == 0) s.held = held_at(run);
+    if (const auto held = held_at(run)) run.spindle.held = held;
+    if (s.direction != 0) run.spindle.held.reset();
+    s.held = run.spindle.held;
     emit(run, s);
 }
 

@@ -173,7 +173,7 @@ void aim(Reckoning& run, const TiltChoice& choice, const base::Span& where) {
                      best == nullptr
                          ? "no position of the rotary axes of " + run.env.machine.name + " gives this tilted plane"
                          : "the rotary axis " + best->outside + " would leave its travel for this tilted plane",
-                     choice.side != 0 ? "take the other side (SEQ), or leave SEQ out" : std::string());
+                     choice.side != 0 ? "take the other side, or let the control choose" : std::string());
     run.aimed_at = best->values;
     const Vec3 x = in_table(run, geom::apply_direction(active_plane(run), {1, 0, 0}));
     for (std::size_t i = 0; i < chain.joints.size() && best->singular; ++i) {

@@ -118,8 +118,14 @@ bool same(double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)
 bool same(const cl::FramePart& a, const cl::FramePart& b) {
     const auto& l = a.frame.linear;
     const geom::Vec3 p = a.frame.origin, q = b.frame.origin;
-    return a.kind == b.kind && same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z) &&
+    return a.kind == b.kind && a.turn == b.turn && same(p.x, q.x) && same(p.y, q.y) && same(p.z, q.z) &&
            std::equal(l.begin(), l.end(), b.frame.linear.begin(), [](double x, double y) { return same(x, y); });
+}
+
+/// G500 selects none, which is not the same as no word: what holds then is the control's own.
+bool is_none_by_word(const Reckoning& run, std::uint32_t number) {
+    constexpr std::uint32_t none = 500;
+    return number == none && run.modal.datum == none && run.modal.datum_said;
 }
 
 /// The first zero is that in which the run reckons.
@@ -128,12 +134,13 @@ void emit_datum(Telling& run) {
     if (!told.begun) {
         told.begun = true;
         say_foreign_datum(run);
-        told.first = told.datum = {run.reference_datum, stream_origin(run)};
+        told.first = told.datum = {run.reference_datum, stream_origin(run), is_none_by_word(run, run.reference_datum)};
         emit(run, told.first);
         if (run.modal.datum == program::no_datum) told.datum.number = run.modal.datum;
     }
-    const cl::Datum selected{run.modal.datum, selected_origin(run)};
-    const bool again = selected.number == told.datum.number && cl::way(told.datum, selected) == geom::Vec3{};
+    const cl::Datum selected{run.modal.datum, selected_origin(run), is_none_by_word(run, run.modal.datum)};
+    const bool again = selected.number == told.datum.number && selected.selected == told.datum.selected &&
+                       cl::way(told.datum, selected) == geom::Vec3{};
     if (again || run.env.tell_settings) return;
     told.datum = selected;
     emit(run, selected);

@@ -56,8 +56,14 @@ std::vector<cl::FramePart> frame_parts(const Telling& run) {
     const Axes& shift = run.offsets.shift;
     if (keeps_offsets(run)) add(cl::FrameKind::shift, geom::Frame::shift({shift[0], shift[1], shift[2]}));
     add(cl::FrameKind::shift, geom::Frame::shift(run.modal.datum_offset));
-    for (const Transform& t : run.modal.transforms) add(kind_of(t.kind), t.frame);
-    if (run.modal.transforms.empty()) add(cl::FrameKind::programmed, run.modal.programmed);
+    for (const Transform& t : run.modal.transforms) {
+        const std::size_t before = parts.size();
+        add(kind_of(t.kind), t.frame);
+        if (parts.size() > before) parts.back().turn = t.turn;
+    }
+    geom::Frame all;
+    for (const Transform& t : run.modal.transforms) all = all * t.frame;
+    if (!(all == run.modal.programmed)) add(cl::FrameKind::programmed, geom::inverse(all) * run.modal.programmed);
     return parts;
 }
 

@@ -67,8 +67,8 @@ constexpr std::array plane_words{
     SpecialWord{"P3X", Datum::point3_x},  SpecialWord{"P3Y", Datum::point3_y},   SpecialWord{"P3Z", Datum::point3_z},
     SpecialWord{"BX", Datum::vector_x},   SpecialWord{"BY", Datum::vector_y},    SpecialWord{"BZ", Datum::vector_z},
     SpecialWord{"NX", Datum::normal_x},   SpecialWord{"NY", Datum::normal_y},    SpecialWord{"NZ", Datum::normal_z},
-    SpecialWord{"DIST", Datum::distance}, SpecialWord{"SEQ", Datum::side},       SpecialWord{"A", Datum::angle_a},
-    SpecialWord{"B", Datum::angle_b},     SpecialWord{"C", Datum::angle_c},
+    SpecialWord{"DIST", Datum::distance}, SpecialWord{"ABST", Datum::distance},  SpecialWord{"SEQ", Datum::side},
+    SpecialWord{"A", Datum::angle_a},     SpecialWord{"B", Datum::angle_b},      SpecialWord{"C", Datum::angle_c},
 };
 
 void add(State& s, Special& special, Datum datum, ExprId value, bool incremental, std::uint32_t begin, char axis = 0) {
@@ -99,7 +99,7 @@ bool belongs(SpecialKind kind, std::string_view word) {
     const auto any = [&](std::initializer_list<std::string_view> beginnings) {
         return std::any_of(beginnings.begin(), beginnings.end(), [&](auto b) { return word.starts_with(b); });
     };
-    const bool everywhere = word == "DIST" || word == "SEQ";
+    const bool everywhere = word == "DIST" || word == "ABST" || word == "SEQ";
     switch (kind) {
         case SpecialKind::plane_spatial:
         case SpecialKind::plane_relative: return everywhere || any({"SP"});
@@ -192,14 +192,11 @@ bool read_positioning(State& s, Special& special) {
         s.build.problem(Code::unsupported, begin, s.in.at(), "the tool goes away along its axis before it is tilted");
         return true;
     }
-    for (const std::string_view word : {"ABST", "COORD", "TABLE"})
+    for (const std::string_view word : {"COORD", "TABLE"})
         if (s.in.take_word(word)) {
             s.in.take_word("ROT");
-            if (word == "ABST")
-                static_cast<void>(read_value(s));
-            else
-                add(s, special, Datum::table_turns, s.build.number(word == "TABLE" ? 1 : 0, true, begin, s.in.at()),
-                    false, begin);
+            add(s, special, Datum::table_turns, s.build.number(word == "TABLE" ? 1 : 0, true, begin, s.in.at()), false,
+                begin);
             return true;
         }
     return false;
