@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "cl/unknown_tool.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
 
 void Writer::event(const cl::ToolChange& change) {
-    tool_waits_ = !change.standing;
-    if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
+    const bool offsets = cl::is_uncalled(change);
+    tool_waits_ = !change.standing || offsets;
+    if (change.standing && !offsets && post_.has(Command::tool_standing)) write_standing(change);
 }
 
 void Writer::event(const cl::DatumData& data) {
@@ -37,6 +39,8 @@ void Writer::event(const cl::Stop& stop) {
     write_all();
     end_compensation_alone(Urgency::at_end);
     write_frame();  // what was cancelled is not to hold for the next program
+    write_last_length();
+    return_plane();
     values_.clear();
     ended_ = true;
     print(Command::stop_end, "a stop");

@@ -121,6 +121,14 @@ bool same(const cl::FramePart& a, const cl::FramePart& b) {
            std::equal(l.begin(), l.end(), b.frame.linear.begin(), [](double x, double y) { return same(x, y); });
 }
 
+/// Where a zero lies elsewhere by nobody knows how much, the tool stands at a place of it that nobody has said.
+void forget_places(Telling& run, const geom::Vec3& from, const geom::Vec3& to) {
+    const geom::Vec3 way = to - from;
+    const bool lathe = run.env.machine.kind == shop::MachineKind::lathe;
+    const std::array lost{std::isnan(way.x), std::isnan(way.y) && !lathe, std::isnan(way.z)};
+    for (std::size_t k = 0; k < lost.size(); ++k) run.unsaid_since_change[k] = run.unsaid_since_change[k] || lost[k];
+}
+
 /// The first zero is that in which the run reckons.
 void emit_datum(Telling& run) {
     StreamFrame& told = run.told;
@@ -134,6 +142,9 @@ void emit_datum(Telling& run) {
     const cl::Datum selected{run.modal.datum, selected_origin(run)};
     const bool again = selected.number == told.datum.number && cl::way(told.datum, selected) == geom::Vec3{};
     if (again || run.env.tell_settings) return;
+    // Where no zero was selected before, it is taken to be that of the stream.
+    const bool is_first = told.datum.number == program::no_datum && selected.number == told.first.number;
+    if (!is_first) forget_places(run, told.datum.origin, selected.origin);
     told.datum = selected;
     emit(run, selected);
 }
