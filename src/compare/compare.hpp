@@ -57,6 +57,9 @@ struct Result {
     /// Moves up to which feed and all else that holds has been compared, where the moves behind do not stand side by
     /// side.
     std::optional<std::size_t> looked_to;
+    /// B, which was written from A, compensates the lengths of several tools, and A none: whether its zeros are for
+    /// that nobody knows.
+    std::optional<Difference> lengths;
     [[nodiscard]] const Difference* of(Aspect a) const;
     /// It does not differ, and all of it has been looked at.
     [[nodiscard]] bool is_equal(Aspect a) const;

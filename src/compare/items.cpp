@@ -16,6 +16,9 @@ bool ends_quietly(const Item& item) {
     return item.holding->spindle.direction == 0 && item.holding->coolant == cl::Coolant{};
 }
 
+/// What is written from a program that says its end has to say it.
+bool needs_end(const Likeness& like, std::size_t side) { return like.is_written_from_a() && side == 0; }
+
 std::string difference_of(const cl::Step& a, const cl::Step& b) {
     const auto* begin = std::get_if<cl::CompensationBegin>(&a);
     const auto* other = std::get_if<cl::CompensationBegin>(&b);
@@ -45,7 +48,8 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
         for (Side& s : sides_) ++s.next, s.at.pop_front();
     }
     for (const std::size_t side : {0U, 1U})
-        if (!over_ && is_lone(side, reached) && !(reached.ended && is_quiet_end(side))) add_lone(side, found);
+        if (!over_ && is_lone(side, reached) && !(reached.ended && !needs_end(like, side) && is_quiet_end(side)))
+            add_lone(side, found);
     if (over_) drop();
 }
 
@@ -77,6 +81,11 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
     over_ = !like.steps(a.step, b.step);
     if (over_) return found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
+    if (a.changes_side != b.changes_side)
+        found.add(aspect_, &a, &b, a.moves,
+                  a.changes_side
+                      ? "compensation changes its side in one block; in the other it ends before"
+                      : "compensation ends before it begins anew; in the other it changes its side in one block");
     if (aspect_ != Aspect::events) return;
     compare_state(like, found);
     over_ = sides_[0].at.front() != sides_[1].at.front();

@@ -163,6 +163,11 @@ void Path::take_axis(const cl::AxisEnd& axis) {
 void Path::take_item(Kept<Item>& items, cl::Step step, const cl::Record& record) {
     item_at_ = moves.size();
     const bool is_event = &items == &events;
+    if (std::holds_alternative<cl::CompensationBegin>(step) && !items.none_left()) {
+        Item& last = items.back();
+        last.changes_side = std::holds_alternative<cl::CompensationEnd>(last.step) && last.from == record.from &&
+                            last.stack == record.stack && last.moves == moves.size();
+    }
     items.push_back({std::move(step), record.from, record.stack, moves.size(),
                      is_event ? holding_ : std::shared_ptr<const Holding>()});
 }
@@ -214,6 +219,8 @@ void Path::take_event(const cl::Record& record) {
         const bool same = now.number == before.number && now.name == before.name;
         hold();
         if (!same) at_.reset();  // another tool's tip is elsewhere, whatever its numbers are
+        if (same && !change->standing && now == before && calls_again++ == 0)
+            called_again = Item{now, record.from, record.stack, moves.size()};
         if (same || change->standing) return;
         step = now;
     } else if (!std::holds_alternative<cl::Stop>(step) && !std::holds_alternative<cl::Dwell>(step) &&

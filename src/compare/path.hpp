@@ -39,6 +39,7 @@ struct Item {
     cl::StackId stack = 0;
     std::size_t moves = 0;  ///< that stand before it
     std::shared_ptr<const Holding> holding{};
+    bool changes_side = false;  ///< the end of a compensated contour, in whose block the next one begins
 };
 
 struct Move {
@@ -64,6 +65,8 @@ public:
     Kept<Move> moves;                     ///< the last may go on while records come
     bool compensates_length = false;      ///< anywhere
     bool has_several_tools = false;       ///< that move
+    std::size_t calls_again = 0;          ///< of a tool that is in the spindle, by which nothing of it changes
+    std::optional<Item> called_again;     ///< the first of them
     Kept<Item> events, cycles, contours;  ///< as moves
 
 private:

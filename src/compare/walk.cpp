@@ -194,14 +194,25 @@ Result Walk::finish() {
     const bool alone_in_a = in_a && (like.is_written_from_a() || sides[1].path().has_several_tools);
     const bool alone_in_b = in_b && !like.is_written_from_a() && sides[0].path().has_several_tools;
     const bool both = like.same_control() || (in_a && in_b) || alone_in_a || alone_in_b;
+    const bool doubtful = like.is_written_from_a() && !in_a && in_b && sides[0].path().has_several_tools;
     Found sorted;
     for (Difference d : all.all) {
+        if (d.aspect == length_aspect && doubtful && !like.same_control()) {
+            d.aspect = Aspect::tool;
+            out.lengths = std::move(d);
+            continue;
+        }
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum, d.is_done = is_done(d.aspect);
         // The words for it are other ones on every control, and each begins with another one.
         if (d.aspect == Aspect::tolerance) d.is_done = like.same_control();
         if (!sorted.has(d.aspect)) sorted.all.push_back(std::move(d));
     }
     for (const Found& found : between_) sorted.add(found);
+    const Path &a = sides[0].path(), &b = sides[1].path();
+    // A call that changes nothing is not left out for nothing: the machine stops for it.
+    if (like.is_written_from_a() && b.calls_again > a.calls_again && !sorted.has(Aspect::events))
+        sorted.add(Aspect::events, static_cast<const Item*>(nullptr), &*b.called_again, b.called_again->moves,
+                   words(b.called_again->step) + " is called again in the other");
     out.first = std::move(sorted.all);
     return out;
 }

@@ -1,5 +1,7 @@
 #include "driver/compare_programs.hpp"
 
+#include <algorithm>
+
 #include "cl/text.hpp"
 #include "driver/stream_file.hpp"
 
@@ -10,7 +12,9 @@ namespace {
 /// Records of a session, a few at a time.
 class Records {
 public:
-    Records(Session& session, std::function<void(const cl::Record&)> sink) : sink_(std::move(sink)) {
+    Records(Session& session, std::function<void(const cl::Record&)> sink) : session_(session), sink_(std::move(sink)) {
+        if (may_repeat_from_a_block())
+            sink_ = [this, to = std::move(sink_)](const cl::Record& record) { note(record), to(record); };
         if (session.main != nullptr)
             run_.emplace(session, sink_);
         else
@@ -19,16 +23,44 @@ public:
     /// False behind the last.
     bool step() {
         if (run_ ? run_->step() : text_->step(sink_)) return true;
-        if (run_) repeats_ = run_->finish().repeats;
+        if (!run_) return false;
+        const interp::Outcome outcome = run_->finish();
+        repeats_ = outcome.repeats;
+        const auto at = std::lower_bound(noted_.begin(), noted_.end(), outcome.repeats_from,
+                                         [](const Noted& n, std::uint32_t byte) { return n.byte < byte; });
+        repeats_at_ = outcome.repeats_from == 0 ? 0 : at != noted_.end() ? at->moves : moves_;
         return false;
     }
-    /// The program begins anew then, without end.
+    /// The program begins anew then, without end …
     [[nodiscard]] bool repeats() const { return repeats_; }
+    /// … behind so many of its moves.
+    [[nodiscard]] std::size_t repeats_at() const { return repeats_at_; }
 
 private:
+    [[nodiscard]] bool may_repeat_from_a_block() const {
+        if (session_.main == nullptr) return false;
+        const std::vector<program::Jump>& jumps = session_.main->jumps;
+        return std::any_of(jumps.begin(), jumps.end(),
+                           [](const program::Jump& j) { return j.direction == program::JumpDirection::again; });
+    }
+    /// How many moves stand before the first record of each place of the main program.
+    void note(const cl::Record& record) {
+        const std::vector<base::Span> sites = session_.stacks.sites(record.stack);
+        const std::uint32_t byte = (sites.empty() ? record.from : sites.back()).begin;
+        if (noted_.empty() || byte > noted_.back().byte) noted_.push_back({byte, moves_});
+        if (cl::is_move(record.step)) ++moves_;
+    }
+
+    struct Noted {
+        std::uint32_t byte = 0;
+        std::size_t moves = 0;
+    };
+    Session& session_;
     std::function<void(const cl::Record&)> sink_;
     std::optional<Interpretation> run_;
     std::optional<cl::TextReader> text_;
+    std::vector<Noted> noted_;
+    std::size_t moves_ = 0, repeats_at_ = 0;
     bool repeats_ = false;
 };
 
@@ -53,6 +85,16 @@ compare::Difference begins_anew(bool a_does, std::string_view word, const compar
     compare::Difference d;
     d.aspect = compare::Aspect::events;
     d.what = a_does ? "it " + anew + "; the other ends" : "it ends; the other " + anew;
+    d.move = moves.moves_a;
+    return d;
+}
+
+/// Both begin anew, each at another place of what they do alike.
+compare::Difference begins_anew_elsewhere(const Records& a, const Records& b, const compare::Result& moves) {
+    compare::Difference d;
+    d.aspect = compare::Aspect::events;
+    d.what = "it begins anew without end at move " + std::to_string(a.repeats_at()) + "; the other at move " +
+             std::to_string(b.repeats_at());
     d.move = moves.moves_a;
     return d;
 }
@@ -88,6 +130,9 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
         comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
     if (in_a.repeats() != in_b.repeats() && out.of(compare::Aspect::events) == nullptr)
         out.first.push_back(begins_anew(in_a.repeats(), (in_a.repeats() ? a : b).main->traits->repeats_program, out));
+    const bool elsewhere = in_a.repeats() && in_b.repeats() && in_a.repeats_at() != in_b.repeats_at();
+    if (elsewhere && out.of(compare::Aspect::events) == nullptr)
+        out.first.push_back(begins_anew_elsewhere(in_a, in_b, out));
     return out;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
+#include "driver/not_run.hpp"
 
 namespace obrys::driver {
 
@@ -51,12 +52,14 @@ bool Ledger::add(const write::Note& note) {
 
 void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending) {
     for (const base::Diagnostic& d : s.diagnostics.all()) {
-        const bool said = d.code == codes::no_effect;  // and left out
+        const bool said = d.code == codes::no_effect;                                              // and left out
         const bool describes = said && s.main != nullptr && s.main->traits->definitions_describe;  // CL data: the job
         if (describes || (said ? is_written(ledger, d.text) : !leaves_out(d.code))) continue;
+        const bool uncalled = d.code == codes::not_run && d.text.ends_with(nothing_calls_it);
         write::Note note;
         note.what = d.text;
-        if (said) note.fate = write::Fate::expanded;
+        if (said || uncalled) note.fate = write::Fate::expanded;
+        if (uncalled) note.instead = "is left out";
         note.from = d.where;
         static_cast<void>(ledger.add(note));
     }

@@ -65,8 +65,7 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
         d.where = {unit.file, unit.begin, unit.begin};
         const std::string shown = unit.startable || !unit.name.starts_with("O") ? unit.name : "o" + unit.name.substr(1);
         d.text = (unit.startable ? "the program " : "the subprogram ") + shown +
-                 (again ? ", which the file holds a second time," : " of this file") +
-                 " was never run: nothing that was run calls it";
+                 (again ? ", which the file holds a second time," : " of this file") + std::string(nothing_calls_it);
         d.remedy = again ? "give it a number of its own"
                    : !unit.startable
                        ? "check a program that calls it"

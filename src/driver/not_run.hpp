@@ -20,6 +20,8 @@ namespace obrys::driver {
 /// Complains about those that could be started (program::Unit::startable), or about all, of which nothing was run.
 void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
                           const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics);
+/// With what they end.
+inline constexpr std::string_view nothing_calls_it = " was never run: nothing that was run calls it";
 /// A file of subprograms: the main program that stands around them called none and goes nowhere itself.
 [[nodiscard]] bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,
                                            const std::vector<const program::Unit*>& entered, const program::Unit& main);

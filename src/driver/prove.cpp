@@ -36,6 +36,21 @@ void complain_of(Session& s, const compare::Result& result, const Session& run) 
     }
 }
 
+/// Of several tools, which are not of one length.
+void complain_of_lengths(Session& s, const compare::Result& result) {
+    if (!result.lengths) return;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = codes::unknown_value;
+    if (result.lengths->in_a) d.where = *result.lengths->in_a;
+    d.stack = s.stacks.sites(result.lengths->stack_a);
+    d.text =
+        "the program compensates the length of none of its tools, and what is written does that of each: whether "
+        "the zeros are right for that is not known";
+    d.remedy = "have the program compensate lengths, or set the zeros anew for tools that are measured";
+    s.diagnostics.add(std::move(d));
+}
+
 bool runs_otherwise(const compare::Result& result) {
     return std::any_of(result.first.begin(), result.first.end(),
                        [](const compare::Difference& d) { return d.is_done; });
@@ -136,7 +151,9 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
-    out.proof = unknown || stays ? Proof::not_compared : out.differs ? Proof::differs : Proof::same;
+    out.proof = unknown || stays || out.compared.lengths ? Proof::not_compared
+                : out.differs                            ? Proof::differs
+                                                         : Proof::same;
     return out;
 }
 
@@ -260,6 +277,7 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     tell(session, best.settled.translated);
     if (best.settled.proved.run != nullptr)
         complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
+    complain_of_lengths(session, best.settled.proved.compared);
     if (best.settled.proved.run != nullptr && best.settled.proved.compared.moves_a == 0 &&
         best.settled.proved.moves == 0)
         say_that_nothing_moves(session.diagnostics, session.main);
@@ -270,6 +288,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
              const compare::Tolerance& tolerance, const OwnValues& values) {
     Proved out = hold_against(translated, post, std::move(request), s, tolerance, values);
     if (out.run != nullptr) complain_of(s, out.compared, *out.run);
+    complain_of_lengths(s, out.compared);
     return out;
 }
 

@@ -91,7 +91,8 @@ struct Outcome {
     std::set<std::string> replaced;             ///< names of which Environment::overrides replaced a constant
     std::uint64_t statements = 0;               ///< gone through, those that were looked at ahead as well
     std::vector<CarriedCompensation> carried = {};
-    bool repeats = false;  ///< the main program begins anew, without end (M99): one pass of it was run
+    bool repeats = false;            ///< the main program begins anew, without end (M99): one pass of it was run
+    std::uint32_t repeats_from = 0;  ///< byte of its text where the next pass begins (M99 P)
 };
 
 }  // namespace obrys::interp

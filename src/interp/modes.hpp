@@ -144,6 +144,7 @@ struct Offsets {
     /// H programmed last (Traits::offset_numbers_stay); NaN: none yet.
     double number = std::numeric_limits<double>::quiet_NaN();
     bool subtracts = false;          ///< G44 rather than G43
+    bool is_not_given = false;       ///< how long that is nobody has said
     bool lost = false;               ///< the axes have been at a home position whose place is not known
     std::uint32_t from_unknown = 0;  ///< bit per axis that G92 has shifted from a place not known
     bool length_judged = false;      ///< for this tool, zero and compensation

@@ -81,8 +81,9 @@ struct Saying : Around, CallState {
     const program::Statement* statement = nullptr;  ///< being run
     bool stopped = false;                           ///< alarm, budget or program end
     Ending ending = Ending::regular;
-    bool repeats = false;     ///< the main program would begin anew: one pass of it is run
-    bool complained = false;  ///< something of the block is said not to be understood or run
+    bool repeats = false;            ///< the main program would begin anew: one pass of it is run
+    std::uint32_t repeats_from = 0;  ///< … at this byte of it
+    bool complained = false;         ///< something of the block is said not to be understood or run
     Look look = Look::no;
     /// Set while blocks are only looked at: what is complained about goes there (complaints.hpp).
     Complaints* complaints = nullptr;
@@ -133,7 +134,8 @@ struct Reckoning : Saying, ToolRack {
 
     geom::Vec3 position;             ///< stream frame, mm; NaN where unknown
     geom::Vec3 programmed_position;  ///< in the programmed frame
-    /// Axes of which no word has come since another tool was taken: the machine may have gone anywhere for that.
+    /// Axes of which no word has come since another tool was taken, for which the machine may have gone anywhere, or
+    /// since a zero that lies nobody knows where.
     std::array<bool, 3> unsaid_since_change{};
     cl::AxisEnds ends;                                        ///< of the axes that the next move takes along
     std::pair<std::uint32_t, std::string> changed_to{0, {}};  ///< number and name of that tool

@@ -188,6 +188,12 @@ struct Traits {
     /// H and D hold until other ones are programmed, also from one tool to the next: G43 and G41 without a number take
     /// the last, H alone acts while a length is compensated. Else a block without one means the tool in the spindle.
     bool offset_numbers_stay = false;
+    /// Says whether G43 and G49 alone move the tool by its length at once, or only together with a word of Z; empty:
+    /// they do not move it.
+    std::string_view length_word_setting{};
+    /// Says that the tool's length acts along Z in every plane of a mill; without that it acts along the axis that
+    /// stands on the plane. Empty: it does anyhow.
+    std::string_view length_axis_setting{};
     /// P of an arc is the number of its turns, the last one begun counted.
     bool arc_turns_in_p = false;
     /// Canned cycles leave to R (G99) before the program has said which.

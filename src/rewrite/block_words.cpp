@@ -97,6 +97,13 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::datum: datum_ = program::modal_number(word); return;
         case Modal::tool_length: length_ = true; return;
         case Modal::tool_length_off: length_off_ = true; return;
+        case Modal::suppress_all:
+            // Elsewhere the tip goes there (SUPA): G53 of the others leads what holds the tool.
+            if (program::modal_number(word) == program::position_ignored || !holder_goes() ||
+                !w_.language.has("words.machine-rapid"))
+                break;
+            machine_ = true;
+            return;
         case Modal::program_stop: m_.push_back(0); return;
         case Modal::diameter_on:
         case Modal::diameter_off:
@@ -114,10 +121,10 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::corner_arc:
         case Modal::approach_normal:
             return w_.tell(word_, w_.source(word_) + ": how moves are joined is as the control has it");
-        default:
-            w_.refuse(word_, w_.source(word_) + " is not translated by structure",
-                      "translate without --keep: its moves are written then");
+        default: break;
     }
+    w_.refuse(word_, w_.source(word_) + " is not translated by structure",
+              "translate without --keep: its moves are written then");
 }
 
 void BlockWords::gather() {
@@ -206,10 +213,7 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
         case Code::cycle_call: call_cycle_ = true; return;
         case Code::p: dwell_time_ = v; return;
         case Code::offset_h: offset_ = v; return;
-        case Code::offset_d:
-            radius_offset_ = v;
-            if (v.number) w_.radius_offset = base::clipped<int>(*v.number, 0, 999'999);
-            return;
+        case Code::offset_d: radius_offset_ = v; return;
         case Code::m:
             if (const auto n = v.number ? base::whole<int>(*v.number, 0, 999) : std::nullopt) return m_.push_back(*n);
             break;

@@ -37,8 +37,12 @@ private:
     [[nodiscard]] bool says_lengths() const;
     void length_on(int offset);
     void length_of_tool();
+    std::string length_here(std::string_view key);
     void lengths();
     std::optional<int> radius_offset();
+    bool changes_length();
+    void radius_alone();
+    [[nodiscard]] bool holder_goes() const;
     void feed_mode();
     void spindle();
     bool function_before(int m);
@@ -65,6 +69,7 @@ private:
     std::optional<program::Modal> motion_, plane_, distance_, feed_mode_, surface_, compensation_;
     std::optional<program::Modal> frame_;  ///< G52, G68, G69: the whole block is theirs
     std::optional<int> datum_;
+    bool machine_ = false;  ///< G53: coordinates of the machine, which what holds the tool goes to
     bool dwell_ = false, length_ = false, length_off_ = false, change_ = false, joined_offset_ = false;
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X

@@ -1,6 +1,7 @@
 /// Blocks: motion, feed, spindle, tools and the rest of what words say, each as the language has it.
 
 #include <algorithm>
+#include <utility>
 
 #include "base/whole.hpp"
 #include "rewrite/block_words.hpp"
@@ -79,13 +80,12 @@ void BlockWords::function_behind(int m) {
 
 void BlockWords::tool() {
     const bool on_m6 = std::find(m_.begin(), m_.end(), 6) != m_.end();
-    const bool waits = !w_.input.lathe || w_.unit->traits->changes_on_m6;
-    if (tool_ && !change_ && !on_m6 && waits) {
-        w_.prepared_tool = tool_;
+    if (tool_ && !change_ && !on_m6 && w_.tools_wait()) {
         w_.prepared_edge = edge_;
         return;
     }
-    if (!tool_ && on_m6) tool_ = w_.prepared_tool, edge_ = edge_ ? edge_ : w_.prepared_edge;
+    if (!tool_ && on_m6 && w_.held()[Mode::prepared] > 0)
+        tool_ = w_.number_text(w_.held()[Mode::prepared]), edge_ = edge_ ? edge_ : w_.prepared_edge;
     if (!tool_ && (on_m6 || change_) && !(change_ && speed_))
         return w_.refuse(w_.here, "which tool comes into the spindle is not known from this block",
                          "write T and M6 in one block");
@@ -105,6 +105,8 @@ void BlockWords::tool() {
     }
     if (joined_offset_ && offset != number)
         return w_.refuse(w_.here, "a tool with the offset of another number is not translated by structure");
+    if (const std::string* off = w_.language.find("words.length-off"); off != nullptr && w_.length_waits == *off)
+        w_.write_length();
     const auto two = [](int n) { return (n < 10 ? "0" : "") + std::to_string(n); };
     w_.say("words.tool",
            {{"tool", std::to_string(number)},
@@ -114,6 +116,7 @@ void BlockWords::tool() {
            "a tool");
     if (w_.language.has("words.tool-has-speed")) speed_.reset();
     w_.tool_in_spindle = number;
+    w_.length_waits.clear();  // of the tool before, which has not moved by it
     length_of_tool();
 }
 
@@ -218,8 +221,8 @@ bool BlockWords::refuse_arc(bool arc) {
 }
 
 std::string_view BlockWords::key_of(Modal motion) const {
-    if (motion == Modal::rapid) return "words.rapid";
-    if (motion == Modal::linear) return "words.linear";
+    if (motion == Modal::rapid) return machine_ ? "words.machine-rapid" : "words.rapid";
+    if (motion == Modal::linear) return machine_ ? "words.machine-linear" : "words.linear";
     const bool cw = motion == Modal::arc_cw, absolute = about_pole_ || !centre_counts_on_;
     if (radius_ && w_.language.has("words.arc-radius-cw")) return cw ? "words.arc-radius-cw" : "words.arc-radius-ccw";
     if (absolute && w_.language.has("words.arc-absolute-cw"))
@@ -269,6 +272,8 @@ void BlockWords::move() {
     if (by_mode && !std::all_of(axes_.begin(), axes_.end(), counts_on))
         return w_.refuse(w_.here, "absolute and incremental coordinates in one block have no counterpart there",
                          "write them in two blocks");
+    if (machine_ && (arc || by_mode || compensation_ || std::any_of(axes_.begin(), axes_.end(), counts_on)))
+        return w_.refuse(w_.here, "a place of the machine beside these words is not translated by structure");
     if (!refuse_arc(arc)) write_move(*motion, feed, *compensation, by_mode);
 }
 
@@ -278,9 +283,11 @@ void BlockWords::write_move(Modal motion, const std::string& feed, const std::st
     if (!centre) return;
     const std::string axes = axes_text(), corner_words = corner_ ? corner(corner_->first, corner_->second) : "";
     const bool beside = w_.language.corner_beside;
+    const std::string length = length_here(key_of(motion));
     const std::size_t before = w_.lines.size();
     w_.say(key_of(motion),
-           {{"axes", axes},
+           {{"length", length},
+            {"axes", axes},
             {"feed", feed},
             {"comp", compensation},
             {"centre", *centre},
@@ -295,8 +302,9 @@ void BlockWords::write_move(Modal motion, const std::string& feed, const std::st
 }
 
 void BlockWords::write() {
+    w_.tool_in_spindle = std::max(w_.held()[Mode::tool], 0);
     gather();
-    if (frame_) return w_.frame_block(*frame_);
+    if (frame_) return w_.write_length(), w_.frame_block(*frame_);
     if (is_pole_) return pole();
     if (dwell_) {
         const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;
@@ -310,17 +318,22 @@ void BlockWords::write() {
     modes();
     tool();
     lengths();
+    radius_alone();
     feed_mode();
     spindle();
     std::vector<int> behind;
     for (const int m : m_)
         if (!function_before(m)) behind.push_back(m);
     move();
-    if (call_cycle_) w_.cycle_call();
+    if (call_cycle_) w_.write_length(), w_.cycle_call();
     std::stable_partition(behind.begin(), behind.end(), [](int m) { return m != 2 && m != 30 && m != 17; });
     for (const int m : behind) function_behind(m);
 }
 
 void Writing::block(std::uint32_t) { BlockWords(*this).write(); }
+
+void Writing::write_length() {
+    if (!length_waits.empty()) say(std::exchange(length_waits, {}));
+}
 
 }  // namespace obrys::rewrite

@@ -228,6 +228,16 @@ void Writing::define(const program::Define& d) {
 }
 
 void Writing::leave() {
+    write_length();
+    const bool main = unit == programs.front();
+    if (main && !unit->traits->repeats_program.empty()) {
+        if (language.has("flow.begin-anew")) return static_cast<void>(say("flow.begin-anew", {}, "a repetition"));
+        return refuse(here, source(here) + ": the program begins anew without end, for which the control has no word",
+                      "write M30");
+    }
+    // What ends a program there says that it goes back.
+    if (!main && at + 1 == unit->statements.size() && language.find("flow.sub-end") != nullptr && end_label_.empty())
+        return;
     if (language.has("flow.return"))
         return static_cast<void>(say("flow.return", {{"name", program_name(*unit)}}, "a return"));
     if (end_label_.empty()) end_label_ = fresh_label();
@@ -235,6 +245,7 @@ void Writing::leave() {
 }
 
 void Writing::end_all() {
+    write_length();
     if (unit == programs.front()) return static_cast<void>(say("flow.end", {}, "the end"));
     if (!unit->traits->end_stops_all) return leave();
     if (language.end_stops_all) return static_cast<void>(say("flow.end", {}, "the end"));
@@ -255,6 +266,7 @@ void Writing::begin_program(const Unit& u, bool main) {
 }
 
 void Writing::end_program(const Unit& u, bool main) {
+    write_length();
     if (!end_label_.empty()) place(end_label_);
     if (const std::string* text = language.find(main ? "flow.main-end" : "flow.sub-end");
         text != nullptr && !text->empty())

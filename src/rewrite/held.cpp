@@ -1,5 +1,8 @@
 #include "rewrite/held.hpp"
 
+#include <optional>
+
+#include "base/whole.hpp"
 #include "program/modal_group.hpp"
 #include "rewrite/frames.hpp"
 
@@ -27,6 +30,11 @@ void set_mode(Held& h, Modal m) {
         case Modal::feed_per_rev: h[Mode::feed] = 1; break;
         case Modal::surface_speed_on: h[Mode::surface] = 1; break;
         case Modal::surface_speed_off: h[Mode::surface] = 0; break;
+        case Modal::tool_length: h[Mode::length] = 1; break;
+        case Modal::tool_length_off: h[Mode::length] = 0; break;
+        case Modal::compensation_left:
+        case Modal::compensation_right: h[Mode::side] = 1; break;
+        case Modal::compensation_off: h[Mode::side] = 0; break;
         default: break;
     }
 }
@@ -36,7 +44,37 @@ void set_cycle(Held& h, const program::CycleDefinition& cycle, int place) {
     if (cycle.call_active) h[Mode::cycle] = place;
 }
 
-Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held h) {
+/// The number that a word says; `several` where it is computed.
+int number_said(const Unit& unit, const program::Word& word) {
+    constexpr int most = 999'999;
+    if (!program::is_literal(word)) return several;
+    return base::whole<int>(unit.literal(word), 0, most).value_or(several);
+}
+
+/// T, M6 and D of a block.
+void set_tools(Held& h, const Unit& unit, std::uint32_t statement, bool tools_wait) {
+    std::optional<int> tool, change;
+    bool on_m6 = false;
+    for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
+        const program::Word& word = unit.words[w];
+        switch (program::code_of(word)) {
+            case program::Code::tool: tool = number_said(unit, word); break;
+            case program::Code::tool_change:
+                change = program::is_literal(word) ? number_said(unit, word) / 100 : nowhere;
+                break;
+            case program::Code::offset_d: h[Mode::radius] = number_said(unit, word); break;
+            case program::Code::m: on_m6 = on_m6 || number_said(unit, word) == 6; break;
+            default: break;
+        }
+    }
+    if (change == nowhere) change = tool;  // without T another speed alone
+    if (tool && !change && tools_wait) h[Mode::prepared] = *tool;
+    if (on_m6 && tools_wait) h[Mode::tool] = tool.value_or(h[Mode::prepared]);
+    if (tool && !tools_wait) h[Mode::tool] = *tool;
+    if (change) h[Mode::tool] = *change;
+}
+
+Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held h, bool tools_wait) {
     const int place = place_number(number, statement);
     if (unit.statements[statement].kind == StatementKind::cycle_definition)
         set_cycle(h, unit.cycles[entry_of(unit, statement)], place);
@@ -44,6 +82,7 @@ Held behind(const Unit& unit, std::size_t number, std::uint32_t statement, Held 
     for (const Mode m : frame_parts_of(unit, statement, false)) h[m] = place;
     if (unit.statements[statement].kind == StatementKind::contour) h[Mode::contour] = several;  // CONTOUR DEF
     if (unit.statements[statement].kind != StatementKind::block) return h;
+    set_tools(h, unit, statement, tools_wait);
     for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
         if (program::code_of(unit.words[w]) != program::Code::modal) continue;
         const Modal m = program::modal_of(unit.words[w]);
@@ -82,7 +121,7 @@ StatementPlace place_of(int number) {
 }
 
 HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start,
-                     const std::map<const Unit*, Graph>& graphs, const Callee& callee) {
+                     const std::map<const Unit*, Graph>& graphs, const Surroundings& around) {
     HeldModes all;
     for (const Unit* unit : programs) all[unit].resize(unit->statements.size() + 1);
     join(all[programs.front()].front(), start);
@@ -93,9 +132,9 @@ HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start
             std::vector<Held>& held = all[unit];
             for (std::uint32_t i = 0; i < unit->statements.size(); ++i) {
                 if (held[i][Mode::plane] == never_there) continue;
-                Held out = behind(*unit, n, i, held[i]);
+                Held out = behind(*unit, n, i, held[i], around.tools_wait);
                 if (unit->statements[i].kind == StatementKind::call)
-                    if (const Unit* called = callee(*unit, unit->calls[entry_of(*unit, i)])) {
+                    if (const Unit* called = around.callee(*unit, unit->calls[entry_of(*unit, i)])) {
                         changed = join(all[called].front(), held[i]) || changed;
                         if (!called->save) out = all[called].back();
                     }

@@ -18,6 +18,11 @@ enum class Mode : std::uint8_t {
     across,    ///< 1: X words are diameters
     feed,      ///< 1: per revolution
     surface,   ///< 1: constant cutting speed
+    tool,      ///< number of that in the spindle; 0: none
+    prepared,  ///< number of that which waits for M6; 0: none
+    length,    ///< 1: a length is compensated by a word
+    side,      ///< 1: so is the radius
+    radius,    ///< D
     // The statement that says it, as `place_number`.
     cycle,    ///< that a call runs
     contour,  ///< that a cycle works on
@@ -54,9 +59,15 @@ struct StatementPlace {
 /// The program of a call, or null.
 using Callee = std::function<const program::Unit*(const program::Unit&, const program::Call&)>;
 
+/// What else counts beside the words.
+struct Surroundings {
+    bool tools_wait = false;  ///< T waits for M6
+    Callee callee;
+};
+
 /// By program and statement; one more than it has statements: at its end.
 using HeldModes = std::map<const program::Unit*, std::vector<Held>>;
 [[nodiscard]] HeldModes held_modes(const std::vector<const program::Unit*>& programs, const Held& start,
-                                   const std::map<const program::Unit*, Graph>& graphs, const Callee& callee);
+                                   const std::map<const program::Unit*, Graph>& graphs, const Surroundings& around);
 
 }  // namespace obrys::rewrite

@@ -35,13 +35,15 @@ constexpr std::array known_tables{
         "jump-not-equal jump-greater jump-less if else end-if while end-while "
         "repeat until again loop end-loop break call argument call-shared return end stop optional-stop alarm message "
         "comment "
-        "repeat-section"},
+        "repeat-section begin-anew"},
     KnownTable{
         "words",
-        "rapid linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move plane-xy plane-zx plane-yz "
+        "rapid linear machine-rapid machine-linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move "
+        "plane-xy plane-zx plane-yz "
         "absolute incremental incremental-value incremental-letters per-minute per-rev surface revolutions spindle "
         "cw ccw spindle-stop tool tool-has-speed edge flood mist coolant-off comp-left comp-right comp-off "
-        "comp-off-alone dwell datum length-on length-off speed-limit surface-limit round chamfer-leg chamfer centre-absolute "
+        "comp-off-alone dwell datum length-on length-off speed-limit surface-limit round chamfer-leg chamfer "
+        "centre-absolute "
         "arc-absolute-cw arc-absolute-ccw"},
     KnownTable{"frames", "shift shift-axis turn turn-off mirror mirror-off scale scale-off off"},
     KnownTable{"system",

@@ -85,6 +85,9 @@ Rewritten Writing::finished(const std::string& name) {
     return out;
 }
 
+/// T prepares a tool, and M6 brings it.
+bool Writing::tools_wait() const { return !input.lathe || input.main->traits->changes_on_m6; }
+
 Rewritten Writing::run(const std::string& name) {
     std::vector<const Unit*> open;
     program_names_[input.main] = language.numbered_programs ? "0001" : name;
@@ -102,10 +105,12 @@ Rewritten Writing::run(const std::string& name) {
     start[Mode::distance] = 0;
     start[Mode::across] = input.diameters ? 1 : 0;
     start[Mode::feed] = input.lathe ? 1 : 0;
-    start[Mode::surface] = 0;
+    for (const Mode m : {Mode::surface, Mode::tool, Mode::prepared, Mode::length, Mode::side}) start[m] = 0;
+    start[Mode::radius] = nowhere;
     for (const Mode m : {Mode::cycle, Mode::contour, Mode::pole}) start[m] = nowhere;
     for (const Mode m : frame_modes) start[m] = nowhere;
-    modes = held_modes(programs, start, graphs, [this](const Unit& u, const program::Call& c) { return callee(u, c); });
+    modes = held_modes(programs, start, graphs,
+                       {tools_wait(), [this](const Unit& u, const program::Call& c) { return callee(u, c); }});
     std::vector<const Unit*> order = programs;
     if (language.subs_first) std::rotate(order.begin(), order.begin() + 1, order.end());
     for (const Unit* u : order) {

@@ -155,6 +155,7 @@ bool Writing::may_jump() {
 }
 
 void Writing::place(const std::string& label) {
+    write_length();
     if (!may_jump()) return;
     static_cast<void>(say("flow.label", {{"label", label}}, "a label"));
 }
@@ -169,6 +170,7 @@ void Writing::statement(std::uint32_t i) {
         return refuse(here, "a block that can be skipped (/) is not translated by structure",
                       "use IF with a parameter of its own");
     const std::size_t entry = entry_of(*unit, i);
+    if (s.kind != StatementKind::block) write_length();
     switch (s.kind) {
         case StatementKind::block: return block(i);
         case StatementKind::jump: return jump_statement(unit->jumps[entry]);

@@ -1,6 +1,9 @@
 /// Lengths and radii of tools: G43 H, G49 and D mean the same there, by words where the control has them and by the
 /// tool where it compensates each by its own.
 
+#include <algorithm>
+#include <utility>
+
 #include "base/whole.hpp"
 #include "rewrite/block_words.hpp"
 
@@ -26,14 +29,36 @@ bool BlockWords::tool_brings_length() const {
     return t.offsets.datum_first == 0 || (w_.input.lathe && t.edge_is_offset_number);
 }
 
+/// Coordinates of the machine are those of what holds the tool: of controls of the G43 family whatever length is in
+/// force.
+bool BlockWords::holder_goes() const {
+    const program::Traits& t = *w_.unit->traits;
+    return t.offsets.datum_first != 0 || t.machine_words_are_gauge_point;
+}
+
 bool BlockWords::says_lengths() const {
     const std::string* on = w_.language.find("words.length-on");
     return on != nullptr && !on->empty();
 }
 
 void BlockWords::length_on(int offset) {
-    w_.say("words.length-on", {{"offset", std::to_string(offset)}, {"tool", std::to_string(w_.tool_in_spindle)}},
-           "the length of a tool");
+    const Places places{{"offset", std::to_string(offset)}, {"tool", std::to_string(w_.tool_in_spindle)}};
+    w_.length_waits = filled(*w_.language.find("words.length-on"), places);
+}
+
+/// The words of the length, where they may stand in this block; else in one of their own, or further on. What holds the
+/// tool goes to a place of the machine: there a length may end, and none begins.
+std::string BlockWords::length_here(std::string_view key) {
+    const auto is_z = [](const Axis& a) { return a.letter == 'Z'; };
+    const auto z = std::find_if(axes_.begin(), axes_.end(), is_z);
+    const std::string* form = w_.language.find(key);
+    const std::string* off = w_.language.find("words.length-off");
+    const bool beside = form != nullptr && form->find("{length}") != std::string::npos;
+    const bool begins = machine_ && off != nullptr && w_.length_waits != *off;
+    if (beside && (z == axes_.end() || begins)) return {};
+    if (beside && !z->incremental) return std::exchange(w_.length_waits, {});
+    w_.write_length();
+    return {};
 }
 
 /// Behind a tool that brings its length, where the other control wants a word for that.
@@ -41,15 +66,25 @@ void BlockWords::length_of_tool() {
     if (tool_brings_length() && says_lengths() && w_.tool_in_spindle != 0) length_on(w_.tool_in_spindle);
 }
 
+/// H alone is another length where one is compensated; else G43 is still to come.
+bool BlockWords::changes_length() {
+    if (!offset_) return false;
+    const int held = w_.held()[Mode::length];
+    if (held == several) w_.refuse(w_.here, "whether H changes a length here depends on the way that the run has come");
+    if (held == 0) w_.tell(w_.here, "H" + offset_->text + " has no effect before G43");
+    return held == 1;
+}
+
 void BlockWords::lengths() {
     if (length_off_) {
+        w_.length_waits.clear();
         if (w_.language.has("words.length-off"))
-            w_.say("words.length-off", {}, "G49");
+            w_.length_waits = *w_.language.find("words.length-off");
         else if (w_.tool_in_spindle != 0)
             w_.tell(w_.here, "G49 has no counterpart there: the length of the tool in the spindle always counts");
         return;
     }
-    if (!length_) return;
+    if (!length_ && !changes_length()) return;
     const std::optional<int> said = offset_ ? number_of(*offset_) : std::nullopt;
     if (offset_ && !said) return w_.refuse(w_.here, "a computed number of an offset is not translated by structure");
     if (!offset_ && w_.unit->traits->offset_numbers_stay)
@@ -73,8 +108,18 @@ std::optional<int> BlockWords::radius_offset() {
         return std::nullopt;
     }
     if (radius_offset_) return *number_of(*radius_offset_);
-    const bool stays = w_.unit->traits->offset_numbers_stay && w_.radius_offset >= 0;
-    return stays ? w_.radius_offset : w_.tool_in_spindle;
+    const int held = w_.held()[Mode::radius];
+    if (!w_.unit->traits->offset_numbers_stay || held == nowhere) return w_.tool_in_spindle;
+    if (held >= 0) return held;
+    w_.refuse(w_.here, "which D is meant here depends on the way that the run has come", "write D beside G41 or G42");
+    return std::nullopt;
+}
+
+/// D without G41 or G42 is for those behind it; within a contour it is another radius from here on.
+void BlockWords::radius_alone() {
+    if (!radius_offset_ || compensation_ || w_.held()[Mode::side] == 0) return;
+    w_.refuse(w_.here, "another radius within a compensated contour (D) is not translated by structure",
+              "end the contour with G40 before it");
 }
 
 /// Nothing after a complaint.

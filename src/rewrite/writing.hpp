@@ -147,6 +147,9 @@ public:
     void tell(const base::Span& where, std::string what);
     [[nodiscard]] std::string source(const base::Span& where) const;
     [[nodiscard]] base::Span span(ExprId id) const { return unit->span(id); }
+    [[nodiscard]] bool tools_wait() const;
+    /// The length of a tool that waits for a block with Z stands in a block of its own.
+    void write_length();
     [[nodiscard]] const Held& held() const { return modes.at(unit)[at]; }
 
     const Input& input;
@@ -160,10 +163,10 @@ public:
     base::Span here;       ///< its place
     std::vector<Line> lines;
     std::vector<Note> notes;
-    std::map<int, std::pair<Text, Text>> poles;        ///< by their places
-    std::optional<Text> prepared_tool, prepared_edge;  ///< said last, and not changed to yet
-    int tool_in_spindle = 0;                           ///< as the text says it last; 0: none
-    int radius_offset = -1;                            ///< D, as the text says it last; -1: none
+    std::map<int, std::pair<Text, Text>> poles;  ///< by their places
+    std::optional<Text> prepared_edge;           ///< said last, and not changed to yet
+    int tool_in_spindle = 0;                     ///< 0: none, or that depends on the way
+    std::string length_waits;                    ///< its words, for the next straight move along Z
 
 private:
     const Unit* callee(const Unit& caller, const program::Call& c) const;

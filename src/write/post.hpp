@@ -102,6 +102,8 @@ struct Post {
     std::string
         change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
     bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
+    bool length_moves = false;       ///< its words alone may move the tool by its length: they stand beside Z
+    bool plane_returns = false;      ///< to that of X and Y behind what asks for another one
     std::string stop_stops_spindle;  ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
     bool raises_to_retract_plane = false;   ///< before cycles, where the tool stands below it, and before it moves over

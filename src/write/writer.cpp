@@ -199,6 +199,7 @@ void Writer::flush_held() {
 /// outside of compensation are written as the moves that they become.
 void Writer::take_programmed(const cl::Programmed& p) {
     if (plain_) return;
+    note_offsets();
     const bool corners = post_.has(Command::corner_rounding) || post_.has(Command::corner_chamfer) ||
                          post_.has(Command::corner_chamfer_leg);
     if (!corners && !cursor_.state().compensation) {
@@ -250,6 +251,7 @@ void Writer::take_event(const cl::Record& record) {
         const bool stops = !post_.change_stops_spindle.empty() && !stays(*change) &&
                            cursor_.state().spindle.direction == 0 && !cursor_.state().spindle.held;
         if (stops) spindle_ = cursor_.state().spindle;
+        drop_offsets_alone(*change);
         write_all();
     }
     static_cast<void>(cursor_.take(record));
@@ -261,7 +263,7 @@ void Writer::finish() {
     if (stairs_) stairs_->finish();
     if (stop_waits_) write_stop();
     flush_held();
-    if (!ended_) write_all(), end_compensation_alone(Urgency::at_end);
+    if (!ended_) write_all(), end_compensation_alone(Urgency::at_end), write_last_length(), return_plane();
     if (!ended_ && cursor_.moves() > 0) end_cycles();
     spill_parts();
     values_.clear();

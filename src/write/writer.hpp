@@ -154,6 +154,9 @@ private:
     void write_standing(const cl::ToolChange& change);
     void write_length();
     void write_waiting_length();
+    [[nodiscard]] bool can_end_length_alone() const;
+    void write_length_alone();
+    void write_last_length();
     void set_length();
     void write_datum();
     void write_datum_anew();
@@ -197,6 +200,10 @@ private:
     void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;
+    [[nodiscard]] bool has_offsets_alone(const cl::ToolChange& change) const;
+    void drop_offsets_alone(const cl::ToolChange& next);
+    void note_offsets();
+    void return_plane();
     void take_axes(Parts& parts, bool home = false);
     enum class Urgency : std::uint8_t {
         may_wait,  ///< for a block that has a place for it
@@ -271,6 +278,10 @@ private:
     std::optional<cl::ToolChange> tool_;     ///< in the spindle, as the text has it
     bool plain_ = false;                     ///< the tool's path stands in the place of a compensated contour
     bool tool_waits_ = false;
+    std::uint32_t edge_said_ = 0;  ///< of the tool in the spindle, as the text has it
+    bool offsets_unsaid_ = false;  ///< they are others than the text has
+    bool z_of_machine_ = false;    ///< the last word of Z led to a place of the machine
+    bool in_other_plane_ = false;  ///< the text has selected another plane than that of X and Y
     Frames frames_;
     std::map<std::array<char, 8>, double> axes_at_;  ///< where each stands, by the moves so far
     /// The rotary axes turn in the block that tilts the plane.
@@ -303,6 +314,7 @@ private:
     geom::Vec3 tap_from_;                  ///< where that one began
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say
     bool is_compensating_ = false;         ///< the text has switched it on
+    std::optional<Source> compensation_end_;  ///< what ended the last contour
     struct Lead {
         Command command = Command::onto_tangent_line;
         bool onto = true, rapid = false;

@@ -167,7 +167,13 @@ void Writer::select_plane(const geom::Vec3& normal) {
     const double x = std::abs(normal.x), y = std::abs(normal.y), z = std::abs(normal.z);
     const Command plane = z >= x && z >= y ? Command::plane_xy : y >= x ? Command::plane_zx : Command::plane_yz;
     values_.clear();
+    in_other_plane_ = plane != Command::plane_xy;
     static_cast<void>(put(plane, {}, "a plane"));
+}
+
+/// The axis along which the control counts the tool's length goes with the plane: no longer than arcs ask for it.
+void Writer::return_plane() {
+    if (post_.plane_returns && in_other_plane_ && !is_compensating_) select_plane({0, 0, 1});
 }
 
 }  // namespace obrys::write

@@ -33,6 +33,9 @@ void Writer::event(const cl::CompensationBegin& begin) {
         compensation_.reset();
         plain_ = true;
     } else {
+        // G40 in a block of its own, not the change of the sides in one.
+        const bool ended_before = compensation_end_ && !(*compensation_end_ == Source{now_->from, now_->stack});
+        if (ended_before) end_compensation_alone(Urgency::may_wait);
         compensation_ = wanted;
     }
     contour_begun_ = false;
@@ -40,7 +43,9 @@ void Writer::event(const cl::CompensationBegin& begin) {
 }
 
 void Writer::event(const cl::CompensationEnd&) {
-    if (!std::exchange(plain_, false)) compensation_ = Command::compensation_off;
+    if (std::exchange(plain_, false)) return;
+    compensation_ = Command::compensation_off;
+    compensation_end_ = Source{now_->from, now_->stack};
 }
 
 /// The end of compensation that waits for a move stands in a block of its own before what is not to be done under it:

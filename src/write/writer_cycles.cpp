@@ -224,7 +224,10 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
         held_.clear();
     else
         flush_held();
-    write_all();
+    write_state();
+    write_length_alone();
+    note_offsets();
+    z_of_machine_ = false;
     end_compensation_alone(Urgency::may_wait);
     select_plane(*normal);
     set_values(way, at);

@@ -4,13 +4,15 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "cl/unknown_tool.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
 
 void Writer::event(const cl::ToolChange& change) {
-    tool_waits_ = !change.standing;
-    if (change.standing && post_.has(Command::tool_standing)) write_standing(change);
+    const bool offsets = cl::is_uncalled(change);
+    tool_waits_ = !change.standing || offsets;
+    if (change.standing && !offsets && post_.has(Command::tool_standing)) write_standing(change);
 }
 
 void Writer::event(const cl::DatumData& data) {
@@ -42,6 +44,8 @@ void Writer::end_program(Command command, std::string_view what) {
     end_compensation_alone(Urgency::at_end);
     write_frame();                                     // what was cancelled is not to hold for the next program
     if (command == Command::stop_again) end_cycles();  // the end of the program ends them by itself
+    write_last_length();
+    return_plane();
     values_.clear();
     ended_ = true;
     print(command, what);

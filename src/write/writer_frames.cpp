@@ -158,7 +158,9 @@ bool Writer::write_place(const cl::Linear& line) {
     }
     end_cycles();
     end_compensation_alone(Urgency::may_wait);
-    if (length_waits_ && command != Command::machine_home) write_all();
+    const bool ends_length = post_.length_moves && length_waits_ == Command::length_off && place.axes[2] &&
+                             has_part(post_[command], Part::length);
+    if (length_waits_ && !post_.length_moves && command != Command::machine_home) write_all();
     constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
     values_.clear();
     for (std::size_t k = 0; k < 3; ++k)
@@ -167,12 +169,15 @@ bool Writer::write_place(const cl::Linear& line) {
     if (const std::uint32_t edge = cursor_.state().change.edge; edge != 0) values_.set(Value::edge, edge);
     const std::uint64_t at = layout_.next();
     Parts parts = parts_of(line.rapid, nullptr);
+    if (ends_length) set_length(), parts.length = &post_[Command::length_off];
     if (has_part(post_[command], Part::axes)) take_axes(parts, place.kind == cl::PlaceKind::home);
     const Printed printed = put(command, parts, "a move to a place of the machine");
     if (printed == Printed::all || printed == Printed::nothing)
         note(Fate::mapped, "a move to a place of the machine", at);
     else if (printed == Printed::failed)
         note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
+    if (ends_length && printed != Printed::failed) note_printed(command, post_[command], parts, at);
+    z_of_machine_ = z_of_machine_ || place.axes[2];
     printer_.forget_coordinates();
     return true;
 }

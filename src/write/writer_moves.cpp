@@ -85,7 +85,7 @@ void Writer::note_unsaid(Command command, const Template& form, bool rapid) {
 
 /// What stands in the block of a move, and is a word of its own elsewhere.
 void Writer::note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line) {
-    if (length_waits_ && has_part(form, Part::length)) {
+    if (parts.length != nullptr && has_part(form, Part::length)) {
         const About about(*this, Topic::length);
         note(Fate::mapped, "the length of the tool", line);
         length_waits_.reset();
@@ -136,7 +136,9 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
         if (corner->corner_feed != 0) values_.set(Value::own_feed, corner->corner_feed);
     }
     Parts parts = parts_of(rapid, corner);
-    if (length_waits_) {
+    const bool along_z = values_.has(index_of(Value::z));
+    if (along_z) z_of_machine_ = false;
+    if (length_waits_ && (along_z || !post_.length_moves)) {
         set_length();
         parts.length = &post_[*length_waits_];
     }
@@ -241,6 +243,9 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
 
 void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
+    const bool to_holder = place_ && !place_->tip && place_->kind != cl::PlaceKind::frame;
+    if (!to_holder) note_offsets();
+    if (line != nullptr) return_plane();
     if (line != nullptr && write_place(*line)) return;
     if (line != nullptr) {
         note_unknown(from, *line);
@@ -249,7 +254,7 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
         if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
         return write_line(line->to, line->rapid, nullptr, line->seek);
     }
-    if (length_waits_) write_all();
+    if (length_waits_) write_state(), write_length_alone();
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return write_arc(*arc, from);
     if (const auto* thread = std::get_if<cl::Thread>(&step)) return write_thread(*thread, from);
     if (const auto* spline = std::get_if<cl::Spline>(&step)) write_spline(*spline);

@@ -7,8 +7,6 @@
 
 namespace obrys::write {
 
-namespace {}  // namespace
-
 void Writer::write_state() {
     if (tool_waits_) write_tool();
     write_datum();
@@ -33,119 +31,6 @@ void Writer::stop_spindle(const std::string& word) {
 void Writer::end_tap() {
     if (std::exchange(tap_stops_, {}).empty()) return;
     end_cycles();
-}
-
-void Writer::write_standing(const cl::ToolChange& change) {
-    values_.clear();
-    values_.set(Value::number, change.number);
-    print(Command::tool_standing, "the tool in the spindle");
-}
-
-/// The tool stays in the spindle: another edge, or nothing but what is written by other words.
-bool Writer::stays(const cl::ToolChange& change) const {
-    return tool_ && tool_->number == change.number && tool_->name == change.name && !post_.repeats_tool;
-}
-
-void Writer::write_tool() {
-    const About about(*this, Topic::tool);
-    tool_waits_ = false;
-    end_cycles();
-    const motion::State& s = cursor_.state();
-    const cl::ToolChange& change = s.change;
-    end_compensation_alone(stays(change) ? Urgency::may_wait : Urgency::now);
-    set_tool(change);
-    if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) values_.set(Value::speed, s.spindle.speed);
-    const bool none = change.number == 0 && change.name.empty();
-    const bool by_name = !change.name.empty() && post_.has(Command::tool_by_name);
-    const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
-    const bool same = stays(change);
-    const bool had_length = same && tool_->with_length;
-    tool_ = change;
-    if (same) {
-        if (post_.has(Command::tool_edge)) print(Command::tool_edge, what);
-        if (!had_length) await_length_of(change);
-        return;
-    }
-    printer_.forget_coordinates();
-    if (change.number == 0 && !none && !by_name) return note(Fate::lost, what + ", which is known by name alone,");
-    if (change.raised != 0 && !says(post_[Command::tool_change], index_of(Value::raised)))
-        note(Fate::lost, "a tool that is taken to be longer (DL)");
-    if (change.wider != 0 && !says(post_[Command::tool_change], index_of(Value::wider)))
-        note(Fate::lost, "a tool that is taken to be larger (DR)");
-    if (!place_tool(change, what)) return;
-    print(none ? Command::tool_none : by_name ? Command::tool_by_name : Command::tool_change, what);
-    stop_spindle(post_.change_stops_spindle);
-    await_length_of(change);
-}
-
-/// The tool's length is compensated with it; controls that have a word for that say it in the next straight move.
-void Writer::await_length_of(const cl::ToolChange& change) {
-    if (!change.with_length || !post_.has(Command::length_on)) return;
-    length_ = {1, change.number, {}};
-    length_waits_ = Command::length_on;
-}
-
-void Writer::set_tool(const cl::ToolChange& change) {
-    values_.clear();
-    values_.set(Text::name, change.name);
-    values_.set(Value::number, change.number);
-    // Where a program names an offset, the tool's own is its first edge.
-    values_.set(Value::edge, change.offset == change.number && change.offset != 0 ? 1 : change.edge);
-    constexpr double hundred = 100;
-    const std::uint32_t own = change.edge == 0 ? 0 : change.number;
-    values_.set(Value::turret, hundred * change.number + (change.offset != 0 ? change.offset : own));
-    if (change.raised != 0) values_.set(Value::raised, change.raised);
-    if (change.wider != 0) values_.set(Value::wider, change.wider);
-}
-
-/// Waits for the next straight move: blocks of programs have both ("G43 H1 Z50").
-void Writer::write_length() {
-    const About about(*this, Topic::length);
-    const cl::ToolLength& length = cursor_.state().length;
-    if (cursor_.state().change.with_length && length.sense == 0) return;  // with the tool
-    if (length == length_) return;
-    write_waiting_length();
-    length_ = length;
-    end_cycles();
-    printer_.forget_coordinates();
-    length_waits_ = length.sense == 0  ? Command::length_off
-                    : length.by        ? Command::length_by
-                    : length.sense > 0 ? Command::length_on
-                                       : Command::length_subtracted;
-    const auto is_unknown = [](const geom::Vec3& v) { return std::isnan(v.x) || std::isnan(v.y) || std::isnan(v.z); };
-    if (length.by && is_unknown(*length.by)) {
-        length_waits_.reset();
-        return note(Fate::lost, "a length of the tool that is not known");
-    }
-    if (length.by && post_.has(*length_waits_)) return write_waiting_length();  // in a block of its own
-    if (post_.has(*length_waits_)) return;
-    // A control without such words compensates each tool by its own length.
-    const bool own = length.sense > 0 && !length.by && length.offset == cursor_.state().change.number;
-    if (!own && length.sense != 0)
-        note(Fate::lost, "the length of the tool: the post has no " + std::string(name_of(*length_waits_)));
-    length_waits_.reset();
-}
-
-void Writer::set_length() {
-    values_.set(Value::number, length_.offset);
-    if (!length_.by) return;
-    values_.set(Value::machine_x, length_.by->x);
-    values_.set(Value::machine_y, length_.by->y);
-    values_.set(Value::machine_z, length_.by->z);
-}
-
-void Writer::write_all() {
-    write_state();
-    write_waiting_length();
-}
-
-void Writer::write_waiting_length() {
-    const About about(*this, Topic::length);
-    if (!length_waits_) return;
-    end_compensation_alone(Urgency::may_wait);
-    values_.clear();
-    set_length();
-    print(*std::exchange(length_waits_, std::nullopt), "the length of the tool");
 }
 
 /// The zero in force is another place now: what has set it is written, where its place is known.

@@ -51,6 +51,7 @@ ON_PURPOSE = {
 }
 # Messages of stages for all controls that only programs of these can bring about: how they begin, and which.
 OF_ONE = {
+    "write G17 again before the next straight move": ["sinumerik"],  # Traits::length_axis_setting
     "program the arc's plane before it": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # HEIDENHAIN: CC, not I J K of the block
     "the circle is in force from a block before": ["linuxcnc", "fanuc", "haas", "sinumerik"],  # modal arcs by letters
     "coordinates without I, J, K and R while G2": ["fanuc"],  # Traits::line_without_centre
@@ -111,6 +112,7 @@ OF_ONE = {
     "write SEL TABLE": ["heidenhain"],
     "no tools are given: those of LinuxCNC's": ["linuxcnc"],  # Control::interpreter_tools
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
+    "bit TOS of parameter": ["fanuc"],  # Traits::length_word_setting
     "bit CCC of parameter": ["fanuc"],  # Traits::outer_corner_setting
     "bit CIR of parameter": ["fanuc"],
     " does not apply: this control begins with radii": ["linuxcnc"],

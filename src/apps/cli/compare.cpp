@@ -81,12 +81,6 @@ bool deliver_picture(const Arguments& a, const Compared& c, const driver::Compar
     return deliver(a.svg, report::to_svg(*plot, c.a.sources));
 }
 
-bool does_the_same(const Compared& c) {
-    return c.stock.verdict != driver::StockComparison::Verdict::differs &&
-           std::none_of(c.moves.first.begin(), c.moves.first.end(),
-                        [](const compare::Difference& d) { return d.is_done; });
-}
-
 /// What the exit code says; what is said otherwise (zeros, cycles) makes no difference to the machine.
 std::string verdict_line(int code, bool same) {
     if (code == 3)
@@ -106,7 +100,7 @@ int compare(const Arguments& arguments) {
     if (!a.is_open || !b.is_open) return 2;
     compare::Tolerance tolerance;
     tolerance.length = arguments.same_place;
-    Compared c{a.session, b.session, driver::compare_sessions(a.session, b.session, tolerance), {}};
+    Compared c{a.session, b.session, driver::compare_sessions(a.session, b.session, tolerance), {}, true};
     for (Side* side : {&a, &b})
         if (c.moves.moves_a == 0 && c.moves.moves_b == 0)
             driver::say_that_nothing_moves(side->session.diagnostics, side->session.main);
@@ -115,7 +109,8 @@ int compare(const Arguments& arguments) {
     if (code_a == 2 || code_b == 2) return 2;
     c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request}, c.moves, tolerance.length);
     // Of a run that an alarm has ended nothing behind it is compared.
-    const int code = code_a != 0 || code_b != 0 || c.stock.is_missed ? 3 : does_the_same(c) ? 0 : 1;
+    c.is_full = code_a == 0 && code_b == 0 && !c.stock.is_missed;
+    const int code = !c.is_full ? 3 : does_the_same(c) ? 0 : 1;
     driver::OutputFile out(arguments.output);
     out.write(arguments.format == "json" ? compared_json(c) : compared_text(c) + verdict_line(code, does_the_same(c)));
     if (!deliver(arguments.output, out)) return 2;

@@ -1,5 +1,6 @@
 #include "compare_output.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/number.hpp"
@@ -75,6 +76,11 @@ Json json_of(const driver::StockComparison& s) {
 
 }  // namespace
 
+bool does_the_same(const Compared& c) {
+    return c.stock.verdict != Verdict::differs && std::none_of(c.moves.first.begin(), c.moves.first.end(),
+                                                               [](const compare::Difference& d) { return d.is_done; });
+}
+
 std::string compared_text(const Compared& c) {
     std::string out;
     for (std::size_t i = 0; i < compare::aspect_count; ++i) {
@@ -85,8 +91,8 @@ std::string compared_text(const Compared& c) {
 }
 
 std::string compared_json(const Compared& c) {
-    Json out;
     const compare::Result& r = c.moves;
+    Json out{{"does_the_same", does_the_same(c)}, {"fully_compared", c.is_full}};
     for (std::size_t i = 0; i < compare::aspect_count; ++i) {
         const auto aspect = static_cast<compare::Aspect>(i);
         Json& equal = out["equal"][std::string(compare::name_of(aspect))];
@@ -103,6 +109,7 @@ std::string compared_json(const Compared& c) {
     for (const compare::Difference& d : r.first)
         out["differences"].push_back({{"aspect", compare::name_of(d.aspect)},
                                       {"move", d.move},
+                                      {"is_done", d.is_done},
                                       {"what", d.what},
                                       {"a", at(c.a, d.in_a)},
                                       {"b", at(c.b, d.in_b)}});

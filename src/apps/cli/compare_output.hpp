@@ -14,7 +14,11 @@ struct Compared {
     const driver::Session &a, &b;
     compare::Result moves;
     driver::StockComparison stock;
+    bool is_full = true;  ///< both were understood and run as a whole
 };
+
+/// The machine does the same, as far as that was compared.
+[[nodiscard]] bool does_the_same(const Compared& c);
 
 [[nodiscard]] std::string compared_text(const Compared& c);
 [[nodiscard]] std::string compared_json(const Compared& c);

@@ -164,6 +164,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
         t.compensation_idle_blocks = {1, "the older series and parameter 19625 as delivered",
                                       "the tool goes square to the element before, and into the corner"};
     if (!haas) t.outer_corner_setting = "bit CCC of parameter 19607 = 1";  // memory: parameter manual of the 30i
+    // Connection manual of the 30i, B-63943EN-1/02, 12.5.2: bit 6 of parameter 5006 shifts coordinates alone.
+    if (!haas && !lathe) t.length_word_setting = "bit TOS of parameter 5006";
     t.radius_to_start_stays = !haas;  // the same, circular interpolation: no move where start and end are one point
     // Haas Mill Operator's Manual 96-8000, G49: H0, G28, M30 and reset end tool length compensation, too.
     t.home_cancels_length = haas && !lathe;

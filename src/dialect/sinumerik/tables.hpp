@@ -110,6 +110,7 @@ inline constexpr program::Traits traits{
     .exponent_is_ex = true,
     .has_diameter_words = true,
     .radius_makes_arc = false,
+    .length_axis_setting = "SD42940 TOOL_LENGTH_CONST = 17",
     .alarms = {.late_definition = "14500"},
 };
 

@@ -29,7 +29,9 @@ void set_plane(Moving& run, int plane) {
 void change_plane(Moving& run, int plane) {
     if (plane != run.modal.plane) leave_compensation(run, "the working plane changes");
     run.modal.plane_said = true;
-    if (!run.stopped) set_plane(run, plane);
+    if (run.stopped) return;
+    set_plane(run, plane);
+    say_length_axis(run);
 }
 
 namespace {

@@ -38,8 +38,8 @@ std::uint32_t find_destination(Saying& run, const std::string& name, program::Ju
     return nearest(numbered_blocks(run, *n), here, d);
 }
 
-/// M99 of the main program: it would begin anew, or at an earlier block.
-void end_of_pass(Calling& run, const program::Jump& j) {
+/// M99 of the main program: it would begin anew, or at an earlier block, `target`.
+void end_of_pass(Calling& run, const program::Jump& j, std::uint32_t target) {
     assume(run, run.here(),
            std::string(run.traits->repeats_program) + " repeats the main program without end: one pass is run");
     if (j.condition == program::no_expr) say_blocks_behind(run, std::string(run.traits->repeats_program));
@@ -47,6 +47,7 @@ void end_of_pass(Calling& run, const program::Jump& j) {
     tell_end(run, 2);
     emit(run, cl::Stop{cl::StopKind::end});
     run.repeats = true;
+    run.repeats_from = target == 0 ? 0 : run.unit().statements[target].begin;
     run.stopped = true;
 }
 
@@ -89,7 +90,7 @@ void jump(Calling& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
     if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty())
-        return end_of_pass(run, j);
+        return end_of_pass(run, j, 0);
     if (j.direction == program::JumpDirection::start) {
         go_back(run, 0);
         return;
@@ -98,7 +99,7 @@ void jump(Calling& run, const program::Jump& j) {
     if (target == program::no_target) target = computed_target(run, j);
     if (run.stopped || target == program::no_target) return;
     if (target >= run.top().pc) return go_on_at(run, target);
-    if (j.direction == program::JumpDirection::again && run.calls.size() == 1) return end_of_pass(run, j);
+    if (j.direction == program::JumpDirection::again && run.calls.size() == 1) return end_of_pass(run, j, target);
     go_back(run, target);
 }
 

@@ -47,6 +47,7 @@ Outcome Machine::finish() {
                     run.steps};
     outcome.carried = std::move(run.carried);
     outcome.repeats = run.repeats;
+    outcome.repeats_from = run.repeats_from;
     for (std::uint32_t n = 0; n < run.parameters.count(); ++n)
         if (run.parameters.is_assigned(n))
             outcome.parameters.push_back({program::parameter_name(*main_.traits, n), run.parameters.get(n)});

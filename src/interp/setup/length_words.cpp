@@ -64,9 +64,27 @@ void take_length(Moving& run, Modal m) {
     o.compensates = o.compensates || !ends;
 }
 
+/// Without Z the control may move the tool by the length there and then; on the way to a place of the machine no length
+/// counts. In a cut that is another part, above it the next Z sets it right.
+void say_length_may_move(Moving& run, Modal m) {
+    const BlockWords& b = run.block;
+    const bool to_machine = b.suppress != Modal::linear || b.special == Modal::home;
+    const bool ends = m == Modal::tool_length_off, held = run.offsets.length != Offsets::Length::none;
+    if (run.traits->length_word_setting.empty() || b.has(Code::z) || to_machine || (ends && !held) ||
+        std::isnan(run.position.z))
+        return;
+    const std::string text = std::string(ends ? "the end of the tool's length" : "a length of the tool") +
+                             " without Z: whether the tool moves by it at once depends on " +
+                             std::string(run.traits->length_word_setting) + "; it is taken to stay where it is";
+    constexpr const char* remedy = "write Z in the same block";
+    if (held && run.modal.motion != Modal::rapid) return unchecked(run, codes::unknown_value, run.here(), text, remedy);
+    assume(run, run.here(), text, remedy);
+}
+
 /// A length that nobody has given is compensated all the same.
 void tell_length_word(Moving& run, Modal m) {
     if (m != Modal::tool_length && m != Modal::tool_length_negative) return;
+    take_length(run, m);
     const BlockWords& b = run.block;
     const double h = b.has(Code::offset_h) ? b.peek(Code::offset_h) : run.tool.number;
     const cl::ToolLength length{static_cast<std::int8_t>(m == Modal::tool_length ? 1 : -1),
@@ -80,6 +98,9 @@ void tell_length_word(Moving& run, Modal m) {
 }  // namespace
 
 void tool_length_words(Moving& run, Modal m) {
+    say_length_may_move(run, m);
+    const cl::ToolLength before = run.told.length;
+    const bool was_given = !run.offsets.is_not_given;
     std::optional<Axes> by;
     if (m == Modal::tool_length_off) by = Axes{};
     const bool adds_axes = m == Modal::tool_length_added && run.block.special == Modal::tool_length_by_axes;
@@ -106,6 +127,9 @@ void tool_length_words(Moving& run, Modal m) {
         tell_length_word(run, m);
         tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
     }
+    run.offsets.is_not_given = !by;
+    // By how much the tip's place along Z has changed is not known: what was said of it is said no longer.
+    if (!(run.told.length == before) && (!was_given || !by)) run.unsaid_since_change[2] = true;
 }
 
 }  // namespace obrys::interp

@@ -53,6 +53,8 @@ void technology(Moving&);
 /// The tool that is in use when the program begins, with its own offset.
 void begin_with_tool(Telling&, std::uint32_t number);
 void select_tool(Moving&);
+/// In another plane than that of X and Y, where a setting says along which axis the tool's length acts.
+void say_length_axis(Telling&);
 
 // --- coolant.cpp
 void coolant(Telling&, int m);

@@ -24,6 +24,19 @@ std::optional<std::pair<std::uint32_t, std::uint32_t>> tool_number(const Saying&
     return std::pair{*number, 1 + base::clipped<std::uint32_t>(index, 0, 9)};
 }
 
+}  // namespace
+
+void say_length_axis(Telling& run) {
+    const bool mill = run.env.machine.kind == shop::MachineKind::mill;
+    if (!mill || run.modal.plane == 17 || run.tool.edge == 0 || run.traits->length_axis_setting.empty()) return;
+    assume(run, run.here(),
+           "the tool's length is taken to act along Z in this plane, too (" +
+               std::string(run.traits->length_axis_setting) + "); else it acts along the axis that stands on it",
+           "write G17 again before the next straight move");
+}
+
+namespace {
+
 bool changes_on_m6(const Saying& run) {
     return run.traits->changes_on_m6 || run.env.machine.kind == shop::MachineKind::mill;
 }
@@ -44,6 +57,7 @@ void emit_tool(Telling& run, bool standing = false) {
     run.changed_to = std::move(now);
     judge_anew(run.offsets);
     take_tip(run);
+    if (!standing) say_length_axis(run);
     control_sets(run, {ControlValue::tool_axis});
 }
 
@@ -178,6 +192,37 @@ void part_turret_number(Moving& run) {
     b.put(Code::edge, *whole % hundred);
 }
 
+/// D of the block: whether another edge of the tool counts from here on; nothing where all of it has been said.
+std::optional<bool> take_edge(Moving& run, bool calls_tool) {
+    const double d = run.block.get(Code::edge);
+    if (std::isnan(d)) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "which cutting edge this is depends on a value that is not known");
+        run.tool.edge_known = false;
+        run.tool.edge = cl::unknown_tool;
+        emit_tool(run);
+        return std::nullopt;
+    }
+    if (!base::whole<int>(d, 0, 32'000)) {
+        alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");
+        return std::nullopt;
+    }
+    const auto edge = base::clipped<std::uint32_t>(d, 0, 32'000);
+    if (edge > 1 && run.tool.waiting && changes_on_m6(run) && !run.traits->edge_is_offset_number) {
+        run.tool.prepared_edge = edge;
+        assume(run, run.here(), "D" + std::to_string(edge) + " between T and M6 is taken for the tool that M6 brings",
+               "write D behind M6");
+        return std::nullopt;
+    }
+    const bool other = edge != run.tool.edge;
+    run.tool.edge = edge;
+    run.tool.edge_known = true;
+    // No word has called the tool: it is the one that stands in the spindle when the program begins.
+    const bool uncalled = !calls_tool && run.tool.number == 0 && run.tool.name.empty();
+    if (other && uncalled) emit_tool(run, true);
+    return other && !uncalled;
+}
+
 }  // namespace
 
 void select_tool(Moving& run) {
@@ -233,28 +278,9 @@ void select_tool(Moving& run) {
     if (replaced) say_carried_compensation(run);
     if (replaced) stop_for_change(run, run.tool.known && before == std::pair{run.tool.number, run.tool.name});
     if (b.has(Code::edge)) {
-        const double d = b.get(Code::edge);
-        if (std::isnan(d)) {
-            unchecked(run, codes::unknown_value, run.here(),
-                      "which cutting edge this is depends on a value that is not known");
-            run.tool.edge_known = false;
-            run.tool.edge = cl::unknown_tool;
-            return emit_tool(run);
-        }
-        if (!base::whole<int>(d, 0, 32'000)) {
-            alarm(run, codes::value_range, run.here(), "D" + printed(Value::real(d)) + " is no cutting edge");
-            return;
-        }
-        const auto edge = base::clipped<std::uint32_t>(d, 0, 32'000);
-        if (edge != 1 && run.tool.waiting && changes_on_m6(run) && !run.traits->edge_is_offset_number) {
-            run.tool.prepared_edge = edge;
-            return assume(run, run.here(),
-                          "D" + std::to_string(edge) + " between T and M6 is taken for the tool that M6 brings",
-                          "write D behind M6");
-        }
-        changed = changed || edge != run.tool.edge;
-        run.tool.edge = edge;
-        run.tool.edge_known = true;
+        const std::optional<bool> other = take_edge(run, changed || replaced);
+        if (!other) return;
+        changed = changed || *other;
     }
     if (changed) emit_tool(run);
     if (changed || b.has(Code::tool_change)) control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});

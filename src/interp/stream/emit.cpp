@@ -128,6 +128,14 @@ bool is_none_by_word(const Reckoning& run, std::uint32_t number) {
     return number == none && run.modal.datum == none && run.modal.datum_said;
 }
 
+/// Where a zero lies elsewhere by nobody knows how much, the tool stands at a place of it that nobody has said.
+void forget_places(Telling& run, const geom::Vec3& from, const geom::Vec3& to) {
+    const geom::Vec3 way = to - from;
+    const bool lathe = run.env.machine.kind == shop::MachineKind::lathe;
+    const std::array lost{std::isnan(way.x), std::isnan(way.y) && !lathe, std::isnan(way.z)};
+    for (std::size_t k = 0; k < lost.size(); ++k) run.unsaid_since_change[k] = run.unsaid_since_change[k] || lost[k];
+}
+
 /// The first zero is that in which the run reckons.
 void emit_datum(Telling& run) {
     StreamFrame& told = run.told;
@@ -142,6 +150,9 @@ void emit_datum(Telling& run) {
     const bool again = selected.number == told.datum.number && selected.selected == told.datum.selected &&
                        cl::way(told.datum, selected) == geom::Vec3{};
     if (again || run.env.tell_settings) return;
+    // Where no zero was selected before, it is taken to be that of the stream.
+    const bool is_first = told.datum.number == program::no_datum && selected.number == told.first.number;
+    if (!is_first) forget_places(run, told.datum.origin, selected.origin);
     told.datum = selected;
     emit(run, selected);
 }
