@@ -41,6 +41,9 @@ constexpr std::array canned{
     CannedCycle{6, CycleKind::canned_bore_stop, "CYCLE/BORE", plain, {}},
 };
 
+/// SPINDL/ORIENT,angle.
+constexpr std::array function_letters{program::FunctionLetters{19, 19, "R"}};
+
 constexpr program::Traits common(program::GuessedMachine machine) {
     return {
         .guessed_machine = machine,
@@ -59,6 +62,7 @@ constexpr program::Traits common(program::GuessedMachine machine) {
         .stops_before_motion = true,
         .definitions_describe = true,
         .feed_mode_ends_surface_speed = false,
+        .function_letters = function_letters,
         .radius_at_start = true,
         .radius_makes_arc = false,
         .clearance_at_start = true,

@@ -43,6 +43,8 @@ enum class Major : std::uint8_t {
     synonym,    ///< SYN
     mode,       ///< MODE
     quiet,      ///< no effect on the path: listed
+    tool_path,  ///< TOOL PATH: an operation begins (NX)
+    path_end,   ///< END-OF-PATH: an operation ends (NX)
     part_word,  ///< of APT part programs, which a processor turns into cutter locations
     not_run,
 };

@@ -156,7 +156,11 @@ cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const
     for (std::size_t i = 0; i < c.words.size() && i < s.values.size(); ++i)
         if (s.given[i] && (c.words[i].role != CycleRole::clearance || !run.traits->hole_depth_from_top))
             d.values.push_back({role_of(c, s, i), s.values[i]});
-    if (c.kind == cl::CycleKind::canned_tap_rigid && run.modal.feed_mode == cl::FeedMode::per_rev && run.feed_valid)
+    // A feed per turn is the thread where none is written.
+    const bool threaded = std::any_of(d.values.begin(), d.values.end(),
+                                      [](const cl::CycleValue& v) { return v.role == CycleRole::pitch; });
+    if (c.kind == cl::CycleKind::canned_tap_rigid && !threaded && run.modal.feed_mode == cl::FeedMode::per_rev &&
+        run.feed_valid)
         d.values.push_back({CycleRole::pitch, run.feed});
     if (c.adds_in_units) d.values.push_back({CycleRole::length_unit, length_unit(run.modal)});
     if (c.turns_axes && run.modal.plane != 17)

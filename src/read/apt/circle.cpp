@@ -24,6 +24,13 @@ void emit_arc(State& s, const Circle& c, const Vec3& to, int turns) {
         tell_feed(s, *s.feed);
         s.feed_told = true;
     }
+    if (c.rapid) {
+        assume(s, c.begin, c.end,
+               "an arc behind RAPID is run at rapid; what a postprocessor makes of it differs: an arc at a high feed, "
+               "or a straight move",
+               "let the CAM system write FEDRAT before the arc");
+        s.build.modal(Modal::rapid_block, s.line.begin, s.line.end);
+    }
     s.build.modal(Modal::arc_about, s.line.begin, s.line.end);
     const std::pair<Code, double> words[] = {{Code::x, to.x},       {Code::y, to.y},       {Code::z, to.z},
                                              {Code::i, c.centre.x}, {Code::j, c.centre.y}, {Code::k, c.centre.z},
@@ -69,7 +76,18 @@ bool lies_on(const Circle& c, const Vec3& p, double radius) {
 
 }  // namespace
 
+void drop_circle(State& s) {
+    if (!s.circle) return;
+    const Circle c = *s.circle;
+    s.circle.reset();
+    if (c.begun) return;
+    begin_block(s);
+    s.build.problem(Code::unsupported, c.begin, c.end, "no point follows at which this arc would end");
+    end_block(s);
+}
+
 void read_circle(State& s, const Arguments& a) {
+    drop_circle(s);
     if (s.cycle)
         return refuse(s,
                       "an arc while a hole cycle is in force (there is no CYCLE/OFF before it): whether its points are "
@@ -79,6 +97,10 @@ void read_circle(State& s, const Arguments& a) {
         return fail(s, a.begin(),
                     "CIRCLE wants centre and axis, six numbers: the sense of the arc is not known without",
                     "write CIRCLE/x,y,z,i,j,k,r");
+    // NX and CAMplete write four more: tolerances and the tool, or the angle of the arc.
+    constexpr std::size_t with_radius = 7, with_tolerances = 11;
+    if (n.size() > with_radius && n.size() != with_tolerances)
+        return fail(s, a.begin() + 2 * with_radius, "what the numbers behind the radius of CIRCLE say is not known");
     const auto turns = turns_of(s, a, n.size());
     if (!turns) return;
     Circle c;
@@ -98,7 +120,10 @@ void read_circle(State& s, const Arguments& a) {
 bool run_on_circle(State& s, const Vec3& to) {
     Circle& c = *s.circle;
     const double radius = s.at ? geom::length(across(*s.at - c.centre, c.axis)) : c.radius;
-    if (c.begun && !lies_on(c, to, radius)) {  // the arc was over with the point before
+    if (!c.begun) c.rapid = s.rapid;
+    // A rapid, or a way along the axis, goes away from the arc.
+    if (c.begun && (s.rapid || !lies_on(c, to, radius) ||
+                    ends_where_it_began(s, c, to))) {  // the arc was over with the point before
         s.circle.reset();
         return false;
     }
@@ -160,6 +185,11 @@ void read_apt_arc(State& s) {
         return refuse(s,
                       "of APT's own motions only TLON,GOFWD/(CIRCLE/x,y,z,r),ON,(LINE/x,y,z,x,y,z) is cutter "
                       "locations; the rest is a part program's");
+    drop_circle(s);
+    if (s.rapid) {
+        s.rapid = false;
+        return refuse(s, "RAPID before it: whether the arc is at rapid is not known");
+    }
     if (!s.at || !s.along) return refuse(s, "where and in which direction it begins is not said: GOTO and INDIRV");
     need_unit(s);
     Circle c;

@@ -101,4 +101,65 @@ TEST(AptCycle, AFeedThatIsTheThreadByTheSpeedCounts) {
     EXPECT_EQ(value(other, Code::i), 0.5);
 }
 
+TEST(AptCycle, TheThreadIsThatOfTheCycleBeforeAnyFeed) {
+    const std::string start = "UNITS/MM\nFEDRAT/0.2,MMPR\nGOTO/0,0,9\n";
+    const auto pitch = [&](const char* words) {
+        return value(Reading(start + "CYCLE/TAP,DEPTH,9,CLEAR,3" + words + "\nGOTO/0,0,0\n"), Code::i);
+    };
+    EXPECT_EQ(pitch(",PITCH,1.5"), 1.5);
+    EXPECT_DOUBLE_EQ(pitch(",TPI,20"), 1.27);
+    EXPECT_EQ(pitch(",MMPR,0.3"), 0.3);
+    EXPECT_EQ(pitch(",MMPR,0.3,PITCH,1.5"), 1.5);
+    EXPECT_EQ(pitch(""), 0.2);
+}
+
+TEST(AptCycle, WhatContradictsTheThreadIsSaid) {
+    const auto said = [](const char* words) {
+        return Reading(std::string("UNITS/MM\nSPINDL/200,RPM\nCYCLE/TAP,DEPTH,9,CLEAR,3,") + words + "\nGOTO/0,0,0\n")
+            .messages();
+    };
+    EXPECT_NE(said("PITCH,1.5,MMPR,0.3").find("a tap's feed per turn is not its thread"), std::string::npos);
+    EXPECT_NE(said("PITCH,0.5,MMPM,90").find("a tap's feed per minute is not its thread"), std::string::npos);
+    EXPECT_EQ(said("PITCH,1.5,MMPR,1.5"), "");
+    const auto refused = [](const char* words) {
+        return Reading(std::string("UNITS/MM\nCYCLE/") + words + "\nGOTO/0,0,0\n").problems();
+    };
+    EXPECT_NE(refused("TAP,DEPTH,9,CLEAR,3,PITCH,1,TPI,20").find("TPI contradicts"), std::string::npos);
+    EXPECT_NE(refused("DRILL,DEPTH,9,FEDTO,8,CLEAR,3").find("FEDTO contradicts"), std::string::npos);
+    EXPECT_NE(refused("DRILL,DEPTH,9,CLEAR,3,MMPM,100,MMPR,0.1").find("MMPR contradicts"), std::string::npos);
+    EXPECT_NE(refused("DRILL,DEPTH,9,CLEAR,3,PITCH,1").find("PITCH and TPI say nothing"), std::string::npos);
+    EXPECT_NE(refused("DRILL,DEPTH,9,CLEAR,3,BACK,1").find("BACK says nothing"), std::string::npos);
+    EXPECT_EQ(refused("DRILL,DEPTH,9,CLEAR,3,RETURN,20,RTRCTO,20"), "");
+}
+
+TEST(AptCycle, AToolThatAHoleSetsUprightTurnsOnItsWay) {
+    const Reading r("UNITS/MM\nRAPID\nGOTO/0,0,10,1,0,0\nCYCLE/DRILL,DEPTH,10,CLEAR,2,MMPM,90\nGOTO/5,0,0,0,0,1\n");
+    EXPECT_NE(r.messages().find("sets upright"), std::string::npos);
+    EXPECT_EQ(r.problems(), "");
+    const std::string along = "m" + std::to_string(static_cast<int>(Modal::tool_along));
+    EXPECT_NE(r.tree().find(along), r.tree().rfind(along)) << r.tree();
+}
+
+TEST(AptCycle, APointAtRapidAmongHolesIsNotRun) {
+    const Reading r("UNITS/MM\nCYCLE/DRILL,FEDTO,9,MMPM,100,RAPTO,3\nRAPID\nGOTO/0,0,0\n");
+    EXPECT_NE(r.problems().find("a point at rapid while a hole cycle is in force"), std::string::npos);
+    EXPECT_FALSE(has_modal(r, Modal::canned));
+}
+
+TEST(AptCycle, NxNamesTheKindBehindDrillAndGoesOutToWhereItStood) {
+    const Reading r(
+        "UNITS/MM\nRAPID\nGOTO/0,0,50\nCYCLE/DRILL,DEEP,STEP,4,RAPTO,3,FEDTO,-9,RTRCTO,AUTO,MMPM,250\nGOTO/0,0,10\n");
+    EXPECT_EQ(value(r, Code::e), 50);
+    EXPECT_EQ(value(r, Code::q), 4);
+    EXPECT_EQ(r.problems(), "");
+    EXPECT_NE(r.messages().find("RTRCTO,AUTO is taken"), std::string::npos);
+}
+
+TEST(AptCycle, OnCallsTheCycleAgainWithOtherSizes) {
+    const Reading r("UNITS/MM\nCYCLE/DRILL,FEDTO,9,MMPM,100,RAPTO,3\nGOTO/0,0,0\nCYCLE/ON,FEDTO,-12\nGOTO/5,0,0\n");
+    EXPECT_EQ(value(r, Code::z), -12);
+    EXPECT_EQ(value(r, Code::radius), 3);
+    EXPECT_NE(Reading("UNITS/MM\nCYCLE/ON\n").messages().find("there is none"), std::string::npos);
+}
+
 }  // namespace obrys::read::apt

@@ -68,9 +68,12 @@ bool axis_changes(const State& s) { return geom::distance(s.axis, s.told_axis) >
 
 void run_point(State& s, const Vec3& to, const Token* tokens) {
     need_unit(s);
-    if (s.cycle) {
+    if (s.cycle && s.rapid) {
+        refuse(s, "a point at rapid while a hole cycle is in force: whether it is a hole is not known");
+        s.at = to;
+    } else if (s.cycle) {
         run_hole(s, to);
-    } else if (s.circle && !s.rapid && run_on_circle(s, to)) {
+    } else if (s.circle && run_on_circle(s, to)) {
         if (axis_changes(s)) refuse(s, "the tool's axis turns while it runs an arc");
     } else {
         run_straight(s, to, tokens);
@@ -89,6 +92,16 @@ void run_numbers(State& s, const Arguments& a, const std::vector<double>& n) {
 }
 
 }  // namespace
+
+void tell_upright(State& s, const Vec3& to) {
+    if (!s.at) return;
+    begin_block(s);
+    tell_axis(s);
+    s.build.modal(Modal::rapid, s.line.begin, s.line.end);
+    tell_coordinates(s, {to.x, to.y, s.at->z}, nullptr);
+    end_block(s);
+    s.at = Vec3{to.x, to.y, s.at->z};
+}
 
 void read_point(State& s, const Arguments& a) {
     const auto n = numbers(a);
@@ -167,12 +180,16 @@ void read_system(State& s, const Arguments& a) {
 void read_placement(State& s, const Arguments& a) {
     const auto n = numbers(a);
     if (!n || (n->size() != 9 && n->size() != 12)) return fail(s, a.begin(), "MSYS wants nine numbers");
+    place_part(s, *n);
+    s.build.ignored("MSYS", s.line.begin, s.line.end);
+}
+
+void place_part(State& s, const std::vector<double>& n) {
     std::array<double, 12> place{};
-    std::copy(n->begin(), n->end(), place.begin());
+    std::copy(n.begin(), n.end(), place.begin());
     if (s.placement && *s.placement != place)
         return refuse(s, "the machine's zero lies elsewhere from here on, and how the part then lies is not followed");
     s.placement = place;
-    s.build.ignored("MSYS", s.line.begin, s.line.end);
 }
 
 }  // namespace obrys::read::apt

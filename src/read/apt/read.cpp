@@ -44,7 +44,9 @@ program::Unit read(std::uint32_t file, const base::Sources& sources, program::Na
         if (!s.line.comment.empty()) read_comment(s);
         if (s.scanner.at() - aside > base::Store::piece) sources.lay_aside(file, aside = s.scanner.at());
     }
-    if (!s.ended) unit.unended = "the cutter locations end without END or FINI";
+    if (!s.ended) drop_circle(s);
+    // A file of NX is a row of tool paths, each with an end of its own.
+    if (!s.ended && !s.path_closed) unit.unended = "the cutter locations end without END or FINI";
     unit.traits = s.turns ? &dialect::apt::turning_traits : &dialect::apt::traits;
     sources.lay_aside(file, unit.end);
     return unit;

@@ -127,6 +127,18 @@ bool Scanner::scan(Line& line, std::uint32_t from, std::uint32_t to) {
     return false;
 }
 
+void Scanner::go_on_with_comment(Line& line) {
+    if (!line.comment.starts_with("->")) return;
+    while (line.comment.ends_with('$') && at_ < text_.size()) {
+        const std::string_view next = base::trim(text_.substr(at_, body_end(at_) - at_));
+        const std::string_view digits = next.substr(next.starts_with('-') || next.starts_with('+') ? 1 : 0);
+        if (digits.empty() || !(base::is_digit(digits[0]) || digits[0] == '.')) return;
+        const auto begin = static_cast<std::uint32_t>(line.comment.data() - text_.data());
+        line.comment = text_.substr(begin, body_end(at_) - begin);
+        at_ = std::min<std::uint32_t>(line_end(at_) + 1, static_cast<std::uint32_t>(text_.size()));
+    }
+}
+
 bool Scanner::next(Line& line) {
     line.tokens.clear();
     line.comment = {};
@@ -137,7 +149,7 @@ bool Scanner::next(Line& line) {
     for (;;) {
         const bool goes_on = scan(line, at_, body_end(at_));
         at_ = std::min<std::uint32_t>(line_end(at_) + 1, static_cast<std::uint32_t>(text_.size()));
-        if (!goes_on) return true;
+        if (!goes_on) return go_on_with_comment(line), true;
         if (at_ >= text_.size()) {
             line.unended = true;
             return true;

@@ -44,6 +44,8 @@ private:
     [[nodiscard]] std::uint32_t body_end(std::uint32_t from) const;
     /// Tokens of a line; true where a `$` says that the next one goes on with it.
     bool scan(Line& line, std::uint32_t from, std::uint32_t to);
+    /// Numbers of Creo's `$$-> CSYS / …, $` go on in the next lines.
+    void go_on_with_comment(Line& line);
     std::uint32_t scan_number_or_word(Line& line, std::uint32_t from, std::uint32_t to) const;
 
     std::string_view text_;

@@ -52,6 +52,15 @@ void refuse(State& s, std::string_view reason) {
     end_block(s);
 }
 
+void refuse_rest(State& s, const Arguments& a, std::size_t known) {
+    const Token* rest =
+        a.begin() + std::min<std::ptrdiff_t>(static_cast<std::ptrdiff_t>(2 * known), a.end() - a.begin());
+    if (rest == a.end()) return;
+    begin_block(s);
+    s.build.problem(Code::unsupported, rest->begin, (a.end() - 1)->end, "what it says here is not known");
+    end_block(s);
+}
+
 void fail(State& s, const Token* at, std::string text, std::string remedy) {
     begin_block(s);
     const bool known = at != nullptr && at < s.line.tokens.data() + s.line.tokens.size();

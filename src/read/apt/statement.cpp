@@ -15,11 +15,21 @@ using program::Modal;
 
 namespace {
 
-/// TLON, TLLFT and TLRGT before the word of motion.
-const Token& major_token(const Line& line) {
-    const auto& t = line.tokens;
-    const bool beside = t.size() > 2 && t[0].kind == TokenKind::word && t[1].kind == TokenKind::comma;
-    return beside && base::to_upper(t[0].chars).starts_with("TL") ? t[2] : t[0];
+bool of_apt(std::string_view upper) {
+    const MajorWord* word = dialect::apt::find_major(upper);
+    return word != nullptr && (word->major == Major::apt_arc || word->major == Major::part_word);
+}
+
+/// The word of the statement. TLON, TLLFT and TLRGT may stand before one of APT's motions, RAPID before a point.
+const Token& major_token(State& s) {
+    const auto& t = s.line.tokens;
+    if (t.size() < 3 || t[0].kind != TokenKind::word || t[1].kind != TokenKind::comma || t[2].kind != TokenKind::word)
+        return t[0];
+    const std::string before = upper_of(t[0]);
+    if (before.starts_with("TL") && of_apt(upper_of(t[2]))) return t[2];
+    if (before != "RAPID") return t[0];
+    s.rapid = true;
+    return t[2];
 }
 
 /// PPRINT, PARTNO, INSERT …: what stands behind the word, a slash between them or not.
@@ -57,7 +67,10 @@ void tell_function(State& s, int m) {
 
 void read_units(State& s, const Arguments& a) {
     const std::string unit = a.begin() != a.end() ? upper_of(*a.begin()) : "";
-    if (unit == "MM" || unit == "INCHES" || unit == "INCH" || unit == "IN") return set_unit(s, unit == "MM" ? 1 : 25.4);
+    if (unit == "MM" || unit == "INCHES" || unit == "INCH" || unit == "IN") {
+        refuse_rest(s, a, 1);
+        return set_unit(s, unit == "MM" ? 1 : 25.4);
+    }
     fail(s, a.begin(), "this is no unit of length that is read here", "write UNITS/MM or UNITS/INCHES");
 }
 
@@ -72,26 +85,58 @@ void read_synonyms(State& s, const Arguments& a) {
 }
 
 void read_setup(State& s, const Arguments& a) {
-    const bool begins = a.begin() != a.end() && upper_of(*a.begin()) == "START";
-    if (!begins || ++s.setups < 2) return s.build.ignored("SETUP", s.line.begin, s.line.end);
+    const std::string word = a.begin() != a.end() ? upper_of(*a.begin()) : "";
+    if (word != "START" && word != "END") return refuse(s, "only START and END of a clamping are known");
+    refuse_rest(s, a, 2);
+    if (word == "END" || ++s.setups < 2) return s.build.ignored("SETUP", s.line.begin, s.line.end);
     refuse(s, "the part is clamped anew, and how it lies then is not said");
 }
 
 void read_multax(State& s, const Arguments& a) {
     const bool plain = a.begin() == a.end() || upper_of(*a.begin()) == "ON" || upper_of(*a.begin()) == "OFF";
-    if (plain) return s.build.ignored("MULTAX", s.line.begin, s.line.end);
+    if (plain) {
+        refuse_rest(s, a, 1);
+        return s.build.ignored("MULTAX", s.line.begin, s.line.end);
+    }
     refuse(s, "how many vectors a point has by MULTAX is not followed");
 }
 
 void read_transform(State& s, const Arguments& a) {
-    if (a.begin() != a.end() && upper_of(*a.begin()) == "WORLD")
+    const bool moved = std::any_of(a.begin(), a.end(),
+                                   [](const Token& t) { return t.kind == TokenKind::number && t.number.value != 0; });
+    if (a.begin() != a.end() && upper_of(*a.begin()) == "WORLD" && !moved)
         return s.build.ignored("TRNTYP/WORLD", s.line.begin, s.line.end);
     refuse(s, "points are written in a system other than the part's");
 }
 
-void read_end(State& s) {
+void read_stop(State& s, const Arguments& a, int m) {
+    refuse_rest(s, a, 0);
+    tell_function(s, m);
+}
+
+void read_end(State& s, const Arguments& a) {
+    drop_circle(s);
+    refuse_rest(s, a, 0);
     tell_function(s, 30);
     s.ended = true;
+}
+
+/// The next point is at rapid, whatever else the words say of it.
+void read_rapid(State& s, const Arguments& a) {
+    refuse_rest(s, a, 0);
+    s.rapid = true;
+}
+
+void read_tool_path(State& s) {
+    const auto& t = s.line.tokens;
+    if (t.size() > 1 && upper_of(t[1]) == "PATH") return s.build.ignored("TOOL PATH", s.line.begin, s.line.end);
+    refuse(s, "of TOOL only TOOL PATH is known");
+}
+
+void read_path_end(State& s) {
+    drop_circle(s);
+    s.path_closed = true;
+    s.build.ignored("END-OF-PATH", s.line.begin, s.line.end);
 }
 
 /// Messages of the postprocessor switched on and off (ICAM): the path is the same.
@@ -108,7 +153,7 @@ void read_known(State& s, const MajorWord& w, const Arguments& a) {
         case Major::circle: return read_circle(s, a);
         case Major::along: return read_direction(s, a, false);
         case Major::apt_arc: return read_apt_arc(s);
-        case Major::rapid: s.rapid = true; return;
+        case Major::rapid: return read_rapid(s, a);
         case Major::feed: return read_feed(s, a);
         case Major::spindle: return read_spindle(s, a);
         case Major::load_tool: return read_load(s, a, false);
@@ -121,9 +166,11 @@ void read_known(State& s, const MajorWord& w, const Arguments& a) {
         case Major::tool_axis: return read_direction(s, a, true);
         case Major::multax: return read_multax(s, a);
         case Major::delay: return read_delay(s, a);
-        case Major::stop: return tell_function(s, 0);
-        case Major::optional_stop: return tell_function(s, 1);
-        case Major::end: return read_end(s);
+        case Major::stop: return read_stop(s, a, 0);
+        case Major::optional_stop: return read_stop(s, a, 1);
+        case Major::end: return read_end(s, a);
+        case Major::tool_path: return read_tool_path(s);
+        case Major::path_end: return read_path_end(s);
         case Major::shift: return read_shift(s, a, false);
         case Major::origin: return read_shift(s, a, true);
         case Major::units: return read_units(s, a);
@@ -141,6 +188,26 @@ void read_known(State& s, const MajorWord& w, const Arguments& a) {
     }
     if (w.name == "PPFUN" && is_diagnosis(a)) return s.build.ignored(w.name, s.line.begin, s.line.end);
     refuse(s, w.note);
+}
+
+/// Those whose words nobody has to understand, or that are said as a whole.
+bool takes_anything(Major m) {
+    return dialect::apt::is_text(m) || m == Major::quiet || m == Major::not_run || m == Major::part_word ||
+           m == Major::mode || m == Major::apt_arc || m == Major::tool_path;
+}
+
+/// The sign or word that is no part of `WORD` or `WORD/item,item,…`; null: it has that form.
+const Token* out_of_form(const Line& line, const Token& major, const Arguments& a) {
+    const Token* const end = line.tokens.data() + line.tokens.size();
+    const Token* next = &major + 1;
+    if (next != end && next->kind != TokenKind::slash) return next;
+    bool due = true;
+    for (const Token& t : a) {
+        const bool item = t.kind == TokenKind::word || t.kind == TokenKind::number || t.kind == TokenKind::text;
+        if (due ? !item : t.kind != TokenKind::comma) return &t;
+        due = !due;
+    }
+    return due && a.begin() != a.end() ? a.end() - 1 : nullptr;
 }
 
 bool assigns(const Line& line) {
@@ -164,11 +231,30 @@ void read_unknown(State& s, const Token& t, const std::string& word) {
 
 }  // namespace
 
+namespace {
+
+/// Creo's `$$-> CSYS / twelve numbers`: what the points behind it count from, in the part.
+void read_comment_system(State& s, std::string_view packed) {
+    std::vector<double> n;
+    for (std::string_view rest = packed.substr(packed.find('/') + 1); !rest.empty();) {
+        const std::size_t end = std::min(rest.find(','), rest.size());
+        if (const auto v = base::parse_double(rest.substr(0, end))) n.push_back(*v);
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    s.line.begin = static_cast<std::uint32_t>(s.line.comment.data() - s.text.data()) - 2;
+    s.line.end = s.line.begin + 2 + static_cast<std::uint32_t>(s.line.comment.size());
+    if (n.size() == 12) return place_part(s, n);
+    refuse(s, "twelve numbers are due: where the points behind it count from is not known");
+}
+
+}  // namespace
+
 void read_comment(State& s) {
     // What CAM systems say in comments of their own and posts read.
     std::string packed;
     for (const char c : s.line.comment)
-        if (!base::is_blank(c) && c != '\r') packed += base::upper(c);
+        if (!base::is_blank(c) && c != '\r' && c != '\n' && c != '$') packed += base::upper(c);
+    if (packed.starts_with("->CSYS/")) return read_comment_system(s, packed);
     if (!packed.starts_with("->CUTCOM_GEOMETRY_TYPE/") || packed.ends_with("OUTPUT_ON_CENTER")) return;
     const auto begin = static_cast<std::uint32_t>(s.line.comment.data() - s.text.data());
     assume(s, begin, begin + static_cast<std::uint32_t>(s.line.comment.size()),
@@ -179,7 +265,8 @@ void read_comment(State& s) {
 
 void read_statement(State& s) {
     if (s.line.unended) return fail(s, nullptr, "the text ends behind $, which wants a further line");
-    const Token& t = major_token(s.line);
+    s.path_closed = false;
+    const Token& t = major_token(s);
     if (t.kind == TokenKind::number)
         return read_point(s, {s.line.tokens.data(), s.line.tokens.data() + s.line.tokens.size()});
     if (t.kind != TokenKind::word) return fail(s, &t, "a statement begins with a word");
@@ -199,7 +286,12 @@ void read_statement(State& s) {
     }
     if (known == nullptr || (!dialect::apt::is_text(known->major) && assigns(s.line) && known->major != Major::apt_arc))
         return read_unknown(s, t, word);
-    read_known(s, *known, arguments(s.line));
+    const Arguments a = arguments(s.line);
+    const Token* foreign = takes_anything(known->major) ? nullptr : out_of_form(s.line, t, a);
+    if (foreign != nullptr)
+        return fail(s, foreign,
+                    "behind " + word + " a slash is due, and words and numbers with one comma between them");
+    read_known(s, *known, a);
 }
 
 }  // namespace obrys::read::apt

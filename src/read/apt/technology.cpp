@@ -1,6 +1,6 @@
-/// Feed, spindle, coolant, dwell, compensation.
+/// Feed, coolant, dwell, compensation.
 
-#include <cmath>
+#include <algorithm>
 
 #include "read/apt/state.hpp"
 
@@ -23,121 +23,72 @@ constexpr std::array feed_words{
     FeedWord{"MMPMIN", Modal::feed_per_minute, 1}, FeedWord{"INVERS", Modal::feed_inverse_time, 0},
 };
 
-}  // namespace
-
-void read_feed(State& s, const Arguments& a) {
-    Feed f;
-    f.mode = s.feed ? s.feed->mode : Modal::feed_per_minute;
+struct FeedWords {
     const FeedWord* unit = nullptr;
     const Token* value = nullptr;
+};
+
+/// The number and its unit; false: something else stands there, and was said.
+bool take_feed_words(State& s, const Arguments& a, FeedWords& w) {
     for (const Token& t : a) {
         if (t.kind == TokenKind::comma) continue;
-        if (t.kind == TokenKind::number && value == nullptr) {
-            value = &t;
+        if (t.kind == TokenKind::number && w.value == nullptr) {
+            w.value = &t;
             continue;
         }
         const std::string word = t.kind == TokenKind::word ? upper_of(t) : "";
-        for (const FeedWord& w : feed_words)
-            if (w.name == word) unit = &w;
-        if (unit == nullptr || unit->name != word)
-            return fail(s, &t, "this is no unit of a feed", "write MMPM, MMPR, IPM, IPR, PERMIN or PERREV");
+        const FeedWord* unit = nullptr;
+        for (const FeedWord& known : feed_words)
+            if (known.name == word) unit = &known;
+        const bool second = unit != nullptr && w.unit != nullptr;
+        if (unit == nullptr || second) {
+            fail(s, &t, second ? "this is a second unit of one feed" : "this is no unit of a feed",
+                 "write one of MMPM, MMPR, IPM, IPR, PERMIN and PERREV");
+            return false;
+        }
+        w.unit = unit;
     }
-    if (value == nullptr) return fail(s, nullptr, "FEDRAT wants a number");
-    if (value->number.value < 0) return fail(s, value, "the feed is negative");
-    if (unit != nullptr) f.mode = unit->mode;
-    if (unit != nullptr && unit->mm > 0 && !s.unit_told) set_unit(s, unit->mm);
-    const double factor = unit == nullptr || unit->mm == 0 ? 1 : unit->mm / (s.inch > 0 ? s.inch : 1);
-    f.value = value->number.value * factor;
-    f.begin = value->begin;
-    f.end = value->end;
-    if (!(s.feed && *s.feed == f)) s.feed_told = false;
-    s.feed = f;
+    if (w.value == nullptr) fail(s, nullptr, "FEDRAT wants a number");
+    if (w.value != nullptr && w.value->number.value < 0) fail(s, w.value, "the feed is negative");
+    return w.value != nullptr && !(w.value->number.value < 0);
 }
 
-namespace {
-
-struct SpindleWords {
-    std::optional<double> speed, limit, angle;
-    int m = 0;
-    enum class Unit : std::uint8_t { none, turns, feet, metres } unit = Unit::none;
-};
-
-/// RANGE and MAXRPM have numbers of their own.
-bool take_spindle_couplet(const Token*& t, const Token* end, const std::string& word, SpindleWords& w) {
-    const bool couplet = t + 2 < end && t[1].kind == TokenKind::comma && t[2].kind == TokenKind::number;
-    if (!couplet || (word != "RANGE" && word != "MAXRPM" && word != "ORIENT")) return false;
-    if (word == "MAXRPM") w.limit = t[2].number.value;
-    if (word == "ORIENT") w.angle = t[2].number.value, w.m = 19;
-    t += 2;
-    return true;
-}
-
-bool take_spindle_word(const std::string& word, SpindleWords& w, int before) {
-    using Unit = SpindleWords::Unit;
-    if (word == "RPM")
-        w.unit = Unit::turns;
-    else if (word == "SFM")
-        w.unit = Unit::feet;
-    else if (word == "SMM")
-        w.unit = Unit::metres;
-    else if (word == "CLW")
-        w.m = 3;
-    else if (word == "CCLW")
-        w.m = 4;
-    else if (word == "OFF" || word == "STOP")
-        w.m = 5;
-    else if (word == "ON")
-        w.m = before;
-    else if (word == "ORIENT")
-        w.m = 19;
-    else
-        return word == "LOW" || word == "HIGH" || word == "MEDIUM";
-    return true;
-}
-
-void tell_spindle(State& s, const SpindleWords& w) {
-    using Unit = SpindleWords::Unit;
-    begin_block(s);
-    const bool surface = w.unit == Unit::feet || w.unit == Unit::metres || (w.unit == Unit::none && s.surface);
-    if (w.speed && surface != s.surface) {
-        s.build.modal(surface ? Modal::surface_speed_on : Modal::surface_speed_off, s.line.begin, s.line.end,
-                      surface ? 96 : 97);
-        s.surface = surface;
-    }
-    double speed = w.speed.value_or(0);
-    const bool inches = s.inch > 1;  // the interpreter counts feet then
-    if (w.unit == Unit::feet && !inches) speed *= 0.3048;
-    if (w.unit == Unit::metres && inches) speed /= 0.3048;
-    if (w.speed) s.speed = surface ? 0 : speed;
-    if (w.speed) s.build.literal(Code::spindle, speed, s.line.begin, s.line.end);
-    if (w.limit) s.build.literal(Code::speed_limit, *w.limit, s.line.begin, s.line.end);
-    if (w.angle) s.build.literal(Code::radius, *w.angle, s.line.begin, s.line.end);
-    if (w.m != 0) s.build.literal(Code::m, w.m, s.line.begin, s.line.end);
-    end_block(s);
+/// A number alone keeps the unit before it, as SURFCAM's SPost and STEP Tools' reader take it; per minute at first.
+void keep_unit(State& s, const Feed& f) {
+    if (f.mode != Modal::feed_per_minute)
+        assume(s, f.begin, f.end, "FEDRAT without a unit keeps the one before it, which is not per minute",
+               "let the CAM system write the unit with every FEDRAT");
+    else if (f.factor != 1)
+        assume(s, f.begin, f.end, "FEDRAT without a unit keeps the one before it, which is not that of the points",
+               "let the CAM system write the unit with every FEDRAT");
+    else if (!s.feed)
+        assume(s, f.begin, f.end, "FEDRAT without a unit is taken per minute, in the unit of the points",
+               "let the CAM system write the unit with every FEDRAT");
 }
 
 }  // namespace
 
-void read_spindle(State& s, const Arguments& a) {
-    SpindleWords w;
-    for (const Token* t = a.begin(); t < a.end(); ++t) {
-        if (t->kind == TokenKind::comma) continue;
-        if (t->kind == TokenKind::number && !w.speed) {
-            w.speed = t->number.value;
-            continue;
-        }
-        const std::string word = t->kind == TokenKind::word ? upper_of(*t) : "";
-        if (take_spindle_couplet(t, a.end(), word, w) || take_spindle_word(word, w, s.spindle)) continue;
-        return fail(s, t, "what this says of the spindle is not known");
-    }
-    if (w.speed && *w.speed < 0) return fail(s, a.begin(), "the speed of the spindle is negative");
-    if (w.speed && w.m == 0) w.m = s.spindle;
-    if (w.m == 3 || w.m == 4) s.spindle = w.m;
-    if (w.unit == SpindleWords::Unit::feet && s.inch == 1)
+void read_feed(State& s, const Arguments& a) {
+    FeedWords w;
+    if (!take_feed_words(s, a, w)) return;
+    if (s.rapid)
         assume(s, s.line.begin, s.line.end,
-               "SFM in a metric text is taken as feet per minute, as the word says; metres are SMM",
-               "let the CAM system write SMM if metres are meant");
-    tell_spindle(s, w);
+               "FEDRAT between RAPID and its point: the point is taken at rapid, the feed for those behind it",
+               "let the CAM system write RAPID right before its point");
+    Feed f;
+    f.begin = w.value->begin;
+    f.end = w.value->end;
+    if (w.unit == nullptr) {
+        if (s.feed) f.mode = s.feed->mode, f.factor = s.feed->factor;
+        keep_unit(s, f);
+    } else {
+        f.mode = w.unit->mode;
+        if (w.unit->mm > 0 && !s.unit_told) set_unit(s, w.unit->mm);
+        if (w.unit->mm > 0) f.factor = w.unit->mm / (s.inch > 0 ? s.inch : 1);
+    }
+    f.value = w.value->number.value * f.factor;
+    if (!(s.feed && *s.feed == f)) s.feed_told = false;
+    s.feed = f;
 }
 
 void read_coolant(State& s, const Arguments& a) {
@@ -175,10 +126,23 @@ void read_delay(State& s, const Arguments& a) {
     end_block(s);
 }
 
+namespace {
+
+/// Words behind CUTCOM/LEFT that say the plane, or which register posts write.
+bool is_compensation_word(const Token& t) {
+    constexpr std::array<std::string_view, 6> words{"XYPLAN", "YZPLAN", "ZXPLAN", "OSETNO", "LEFT", "RIGHT"};
+    return t.kind != TokenKind::word || std::find(words.begin(), words.end(), upper_of(t)) != words.end();
+}
+
+}  // namespace
+
 void read_compensation(State& s, const Arguments& a) {
     const std::string word = a.begin() != a.end() ? upper_of(*a.begin()) : "";
+    if (word != "LEFT" && word != "RIGHT" && word != "ON" && word != "OFF")
+        return refuse(s, "only LEFT, RIGHT and OFF are known");
+    const Token* const foreign = std::find_if_not(a.begin() + 1, a.end(), is_compensation_word);
+    if (foreign != a.end()) return refuse(s, "what " + std::string(foreign->chars) + " says of it is not known");
     if (word == "OFF") return s.build.ignored("CUTCOM/OFF", s.line.begin, s.line.end);
-    if (word != "LEFT" && word != "RIGHT" && word != "ON") return refuse(s, "only LEFT, RIGHT and OFF are known");
     assume(s, s.line.begin, s.line.end,
            "points with CUTCOM on are taken as those of the tool's centre: what the control compensates is the tool's "
            "wear, 0 here",

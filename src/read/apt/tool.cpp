@@ -1,5 +1,6 @@
 /// Tools: which one is in the spindle, and what the text says it is.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/whole.hpp"
@@ -63,17 +64,34 @@ void read_load(State& s, const Arguments& a, bool tool_word) {
     end_block(s);
 }
 
+namespace {
+
+/// TLDATA/MILL,d,… and TLDATA/DRILL,MILL,d,…, whose second word names the module of NX. Null: nothing is left to read.
+const Token* diameter_of_data(State& s, const Arguments& a) {
+    const Token* t = a.begin();
+    const std::string word = upper_of(*t);
+    if (word == "TURN" || word == "TTURN" || word == "GROOVE" || word == "THREAD") {
+        s.turns = true;
+        return s.build.ignored("TLDATA", s.line.begin, s.line.end), nullptr;
+    }
+    t += 2;
+    if (word == "DRILL" && t < a.end() && t->kind == TokenKind::word) t += 2;
+    if (word == "MILL" || word == "DRILL") return t;
+    assume(s, s.line.begin, s.line.end, "what this says of the tool is not known: its radius is unknown",
+           "give the tool in a tool table or in the job");
+    return nullptr;
+}
+
+}  // namespace
+
 void read_cutter(State& s, const Arguments& a) {
     const Token* t = a.begin();
-    if (t < a.end() && t->kind == TokenKind::word) {  // TLDATA/MILL,d,…
-        const std::string word = upper_of(*t);
-        const bool turns = word == "TURN" || word == "TTURN" || word == "GROOVE" || word == "THREAD";
-        if (turns) s.turns = true;
-        if (turns || t + 2 >= a.end()) return s.build.ignored("TLDATA", s.line.begin, s.line.end);
-        t += 2;
-    }
+    if (t < a.end() && t->kind == TokenKind::word && (t = diameter_of_data(s, a)) == nullptr) return;
     if (t >= a.end() || t->kind != TokenKind::number) return fail(s, t, "a cutter begins with its diameter");
     if (!(t->number.value >= 0)) return fail(s, t, "the diameter of this cutter is negative");
+    const Token* const foreign =
+        std::find_if(t, a.end(), [](const Token& more) { return more.kind == TokenKind::word; });
+    if (foreign != a.end()) return fail(s, foreign, "what this says of the tool is not known");
     s.cutter = t->number.value;
     s.cutter_begin = s.line.begin;
     s.cutter_end = s.line.end;
