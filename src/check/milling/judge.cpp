@@ -11,6 +11,7 @@
 #include "check/gouge/thin.hpp"
 #include "check/milling/milling.hpp"
 #include "check/milling_tool.hpp"
+#include "check/use_findings.hpp"
 #include "check/words.hpp"
 #include "sim/milling/surface/surface.hpp"
 
@@ -83,13 +84,7 @@ void Milling::judge_plunge(const QueuedPass& pass, const MilledMove& move, const
     if (!(blind > 0) || !(met.rightmost < blind)) return;  // what cuts at its centre may plunge
     plunged_ = pass.move + 1;
     const bool tap = shop::assumed_kind(setup_.tools[*listed]) == shop::ToolKind::tap;
-    Finding f;
-    f.code = codes::plunging_cut;
-    f.text = tap ? "the core of the tap meets material: its hole is too narrow, not deep enough or missing"
-                 : "the tool plunges into the material, but it does not cut at its centre";
-    f.remedy = tap ? "drill before, wide and deep enough" : "enter by a ramp or a helix, or drill before";
-    f.amounts = {{"volume_mm3", met.volume}};
-    found(move, std::move(f));
+    found(move, plunges(tap, met.volume));
 }
 
 bool Milling::is_tap(const MilledMove& move) const {

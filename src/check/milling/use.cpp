@@ -7,6 +7,7 @@
 #include "check/limits/feed_mode.hpp"
 #include "check/milling/milling.hpp"
 #include "check/milling_tool.hpp"
+#include "check/use_findings.hpp"
 #include "check/words.hpp"
 #include "motion/technology.hpp"
 
@@ -16,11 +17,6 @@ namespace codes = base::codes;
 using shop::ToolKind;
 
 namespace {
-
-/// Of a revolution's way: F is rounded, and threads in inch are programmed in mm.
-constexpr double pitch_tolerance = 0.01;
-
-std::string_view sense(bool left) { return left ? "left-hand" : "right-hand"; }
 
 std::string_view word_of(ToolKind kind) {
     return kind == ToolKind::drill ? "drill" : kind == ToolKind::tap ? "tap" : "reamer";
@@ -46,12 +42,7 @@ void Milling::say_no_tap(const MilledMove& milled) {
     if (tool_ == nullptr || !(milled.sinking > along_axis) || no_tap_ == milled.tool) return;
     if (!shop::is_milling(tool_->kind) || tool_->kind == ToolKind::tap || tool_->kind == ToolKind::form) return;
     no_tap_ = milled.tool;
-    Finding f;
-    f.code = codes::tap_pitch;
-    f.text = "a thread is tapped here, " + mm(milled.feed_per_rev_mm) + " a revolution, and the tool is no tap";
-    f.remedy = "call the tap, or correct its kind in the tool list";
-    f.amounts = {{"way_mm", milled.feed_per_rev_mm}};
-    found(milled, std::move(f));
+    found(milled, is_no_tap(milled.feed_per_rev_mm));
 }
 
 /// The core of a tap goes through a hole made before and may meet nothing: what it does is judged where it goes along
@@ -86,15 +77,7 @@ void Milling::keep_in_thread(const Move& move) {
 
 /// Coupled to the spindle a tap comes out as it went in.
 void Milling::judge_pitch_out(const MilledMove& milled) {
-    const double out = milled.feed_per_rev_mm;
-    if (!std::isfinite(out) || !std::isfinite(tap_way_) || std::abs(out - tap_way_) <= pitch_tolerance * tap_way_)
-        return;
-    Finding f;
-    f.code = codes::tap_pitch;
-    f.text = "the tap comes out " + mm(out) + " a revolution, it went in " + mm(tap_way_);
-    f.remedy = "program the same pitch both ways";
-    f.amounts = {{"way_mm", out}, {"pitch_mm", tap_way_}};
-    found(milled, std::move(f));
+    if (auto f = comes_out_otherwise(milled.feed_per_rev_mm, tap_way_)) found(milled, std::move(*f));
 }
 
 /// A tap is turned out of the thread that it has cut: coupled to the spindle, or at feed with the spindle reversed.
@@ -112,14 +95,7 @@ void Milling::judge_tap_out(const Move& move, const MilledMove& milled) {
         positioned ? tap_sense_ == 0 || milled.thread == tap_sense_ : milled.spindle == (tool_->left_hand ? 1 : -1);
     if (!move.rapid && reversed && thread != nullptr) return judge_pitch_out(milled);
     if (!move.rapid && reversed) return;
-    Finding f;
-    f.code = codes::wrong_rotation;
-    f.text = std::string("the tap is drawn out of its thread ") + (move.rapid ? "by a rapid move"
-                                                                   : milled.spindle == 0 && !positioned
-                                                                       ? "while the spindle stands"
-                                                                       : "while the spindle turns on as it cut");
-    f.remedy = "reverse the spindle at the bottom and feed it out, or take the control's tapping cycle";
-    found(milled, std::move(f));
+    found(milled, drawn_out(move.rapid, milled.spindle == 0 && !positioned));
 }
 
 /// A feed move that has met material for the first time.
@@ -156,25 +132,13 @@ void Milling::judge_rotation(const MilledMove& move, const shop::Tool& tool) {
     if (shop::is_milling(shop::assumed_kind(tool)) && !backs_out && move.spindle == -wanted && move.thread == 0 &&
         turned_wrong_ != std::pair{move.tool, move.spindle}) {
         turned_wrong_ = {move.tool, move.spindle};
-        Finding f;
-        f.code = codes::wrong_rotation;
-        f.text = std::string("the tool cuts with ") + (move.spindle < 0 ? "M4" : "M3") + ", but it is " +
-                 std::string(sense(tool.left_hand));
-        f.remedy = std::string("program ") + (tool.left_hand ? "M4" : "M3") +
-                   (tool.left_hand ? "" : "; a left-hand tool has rotation = \"left\" in its [[tool]]");
-        found(move, std::move(f));
+        found(move, turns_wrong(move.spindle, tool.left_hand, false));
     }
 }
 
 /// A tap is driven in that does not turn: its core meets nothing that would tell.
 void Milling::judge_driven_in(const MilledMove& move) {
-    if (!stopped_reported_) {
-        Finding f;
-        f.code = codes::spindle_stopped;
-        f.text = "the tap is driven in while the spindle stands";
-        f.remedy = "start the spindle with M3 or M4 and a speed S";
-        found(move, std::move(f));
-    }
+    if (!stopped_reported_) found(move, driven_in());
     stopped_reported_ = true;
 }
 
@@ -192,32 +156,15 @@ void Milling::judge_pitch_not_given(const Move& at, const MilledMove& move, cons
 }
 
 void Milling::judge_tap(const Move& at, const MilledMove& move, const shop::Tool& tool) {
-    if (move.thread != 0 && (move.thread < 0) != tool.left_hand) {
-        Finding f;
-        f.code = codes::wrong_rotation;
-        f.text = "the thread is " + std::string(sense(move.thread < 0)) + ", the tap is " +
-                 std::string(sense(tool.left_hand));
-        f.remedy =
-            "take the other tap or change the sense of the thread; a left-hand tap has rotation = \"left\" in "
-            "its [[tool]]";
-        if (move.sinking > 0) found(move, std::move(f));
-    }
+    if (move.thread != 0 && (move.thread < 0) != tool.left_hand && move.sinking > 0)
+        found(move, cuts_other_hand(move.thread < 0, tool.left_hand));
     if (move.sinking < along_axis) return;
     const double way = move.feed_per_rev_mm;
     if (move.thread == 0 && (move.spindle == 0 || move.speed_rpm == 0)) return judge_driven_in(move);
     if (!std::isfinite(way))
         return out_.unchecked(at.record, "how far the tap goes a revolution is not known: its pitch is not judged");
     if (!tool.pitch) return judge_pitch_not_given(at, move, tool);
-    const double pitch = *tool.pitch;
-    if (std::abs(way - pitch) <= pitch_tolerance * pitch) return;
-    Finding f;
-    f.code = codes::tap_pitch;
-    f.text = "the tap goes " + mm(way) + " a revolution, its pitch is " + mm(pitch);
-    f.remedy = move.thread != 0 ? "program the pitch of the tap, or take the tap of this pitch"
-                                : "program a feed of speed x pitch: " + plain(move.speed_rpm * pitch) + " mm/min at " +
-                                      plain(move.speed_rpm) + " 1/min";
-    f.amounts = {{"way_mm", way}, {"pitch_mm", pitch}};
-    found(move, std::move(f));
+    if (auto f = wrong_pitch({way, move.speed_rpm, move.thread != 0}, *tool.pitch)) found(move, std::move(*f));
 }
 
 }  // namespace obrys::check

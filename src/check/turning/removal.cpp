@@ -15,8 +15,6 @@ namespace obrys::check {
 
 namespace {
 
-constexpr const char* stands_off = " does not stand on the turning axis: what it removes there is not simulated";
-
 /// Not of a place that is not known.
 bool is_off_axis(double x) {
     constexpr double on_axis = 1e-6;  // mm
@@ -37,7 +35,7 @@ std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::To
 }  // namespace
 
 Removal::Removal(const Setup& setup, const motion::State& state, Collector& out)
-    : setup_(setup), state_(state), out_(out), time_up_(setup.out_of_time) {
+    : setup_(setup), state_(state), out_(out), use_on_axis_(setup, state, out), time_up_(setup.out_of_time) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
@@ -61,9 +59,11 @@ void Removal::tool_changed() {
     outline_ = tool_ != nullptr ? turning_outline(*tool_) : geom::Contour{};
     sure_ = tool_ != nullptr ? shop::sure_outline(*tool_) : geom::Contour{};
     behind_ = tool_ != nullptr ? behind_blade(*tool_) : geom::Contour{};
+    carried_ = tool_ != nullptr ? carried_by(*tool_) : std::vector<Carried>{};
+    use_on_axis_.tool_changed();
     outline_box_ = box_of(outline_);
-    if (tool_ == nullptr) return;
-    for (const geom::Contour& body : tool_->bodies) outline_box_.cover(box_of(body));
+    outline_box_.cover(box_of(behind_));
+    for (const Carried& c : carried_) outline_box_.cover(box_of(c.body));
 }
 
 /// The first move with a tool: enters it into the list of tools, complains where the shop does not have it.
@@ -105,7 +105,7 @@ bool Removal::works_off_axis(const Move& move) const {
 }
 
 /// Why the removal of a move cannot be computed.
-std::optional<std::string> Removal::obstacle(const Move& move) const {
+std::optional<std::string> Removal::obstacle(const Move& move, Wants wants) const {
     const std::string tool = state_.any_tool ? tool_name(state_.change) : "";
     if (!state_.any_tool) return "no tool is selected: removal not simulated";
     if (cl::is_unknown(state_.change)) return "which tool is in use is not known: removal not simulated";
@@ -117,11 +117,10 @@ std::optional<std::string> Removal::obstacle(const Move& move) const {
                            : " cuts without its offset (D0): where its edge stands is not known: removal not "
                              "simulated");
     if (outline_.vertices.empty()) return tool + " has no outline: its removal is not simulated";
-    if (works_off_axis(move)) return tool + stands_off;
     if (std::holds_alternative<cl::Spline>(move.record.step)) return "spline: removal not simulated";
     const auto* arc = std::get_if<cl::Arc>(&move.record.step);
     if (arc != nullptr && !lies_in_turning_plane(*arc)) return "arc outside the turning plane: removal not simulated";
-    if (positioned_ && !move.rapid)
+    if (wants == Wants::removal && positioned_ && !move.rapid)
         return "the workpiece stands or turns as an axis: what a driven tool cuts is not simulated";
     if (std::abs(move.to.y) > 1e-6 || std::abs(move.from.y) > 1e-6) return "Y is not 0: removal not simulated";
     return std::nullopt;
@@ -149,7 +148,9 @@ void Removal::skipped(const Move& move, std::string why) {
 
 void Removal::cut(const Move& move, const sim::turning::Move& way, Removed& r) {
     r.simulated = true;
+    if (shop::is_milling(tool_->kind)) use_on_axis_.take(move, way, stock_box_);
     r.cut = work_->cut(outline_, way, sure_);
+    if (shop::is_milling(tool_->kind)) use_on_axis_.cut(move, way, r.cut);
     if (tool_->kind == shop::ToolKind::tap) add_to_threads(work_->met(whole_tap(*tool_), way));
     removed_area_ += r.cut.area;
     r.cuts = r.cut.area > setup_.tolerances.rapid;
@@ -170,8 +171,9 @@ Removed Removal::cut_open(const Move& move) {
     // From beyond the axis a tool comes from its own side; at first it may stand anywhere along the stock.
     const bool across = move.from.x < 0 || move.to.x < 0;
     // Along Z a first move may come from either side, or begin beside the stock.
-    const geom::Vec3 away{across ? NAN : stock_box_.max_x - outline_box_.min_x, NAN,
-                          whereabouts_.began() ? stock_box_.max_z - outline_box_.min_z : NAN};
+    geom::Vec3 away{across ? NAN : stock_box_.max_x - outline_box_.min_x, NAN,
+                    whereabouts_.began() ? stock_box_.max_z - outline_box_.min_z : NAN};
+    if (leaves_towards_home(move, work_->region())) away.z = std::min(away.z, move.from.z);
     const auto in_plane = [](geom::Vec3 p) { return geom::Vec3{p.x, 0, p.z}; };
     const OpenMove open = whereabouts_.open(in_plane(move.from), in_plane(move.to), move.rapid, away);
     if (open.start) ++start_moves_;
@@ -182,11 +184,13 @@ Removed Removal::cut_open(const Move& move) {
     const bool turns = shop::is_milling(tool_->kind), ends = open.way.kind == OpenWay::Kind::end;
     if (turns && ends) from = to + geom::Vec3{0, 0, geom::distance(from, to)};  // on its axis
     if (ends || open.way.kind == OpenWay::Kind::swept) {
+        const sim::turning::Move way{{from.z, from.x}, {to.z, to.x}, {}, 0};
         if (turns && (is_off_axis(from.x) || is_off_axis(to.x))) {
-            skipped(move, tool_name(state_.change) + stands_off);
-            return r;
+            pass_beside(move, way, r);
+            if (!r.simulated) return r;
+        } else {
+            cut(move, way, r);
         }
-        cut(move, {{from.z, from.x}, {to.z, to.x}, {}, 0}, r);
     }
     if (open.left_out) skipped(move, why);
     r.simulated = !open.left_out && open.way.kind != OpenWay::Kind::end;
@@ -223,11 +227,8 @@ Removed Removal::take(const Move& move) {
             skipped(move, std::move(*why));
         } else if (!known(move.from) || !known(move.to)) {
             r = cut_open(move);
-        } else if (const auto* thread = std::get_if<cl::Thread>(&move.record.step);
-                   thread != nullptr && !shop::is_milling(tool_->kind)) {
-            cut_thread(move, in_turning_plane(move), *thread, r);
         } else {
-            cut(move, in_turning_plane(move), r);
+            cut_along(move, r);
         }
         in_front_ = in_front_ || (move.to.z >= stock_box_.max_z && move.to.x < stock_box_.max_x);
     }

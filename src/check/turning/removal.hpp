@@ -8,8 +8,10 @@
 #include "check/result.hpp"
 #include "check/setup.hpp"
 #include "check/time_up.hpp"
+#include "check/turning/axis_use.hpp"
 #include "check/turning/rest.hpp"
 #include "check/turning/turned_thread.hpp"
+#include "check/turning/turning_tool.hpp"
 #include "check/words.hpp"
 #include "motion/state.hpp"
 #include "sim/turning/turning.hpp"
@@ -48,7 +50,8 @@ public:
 
 private:
     void first_use(const Move& move);
-    std::optional<std::string> obstacle(const Move& move) const;
+    enum class Wants : std::uint8_t { removal, place };  ///< where the tool is can be known of driven ones, too
+    std::optional<std::string> obstacle(const Move& move, Wants wants = Wants::removal) const;
     /// Without an offset (D0) the edge stands elsewhere than programmed, nobody knows where: on any way but one away.
     [[nodiscard]] bool is_astray(const Move& move) const;
     /// A drill or mill on a lathe, beside the turning axis.
@@ -58,6 +61,10 @@ private:
     void skipped(const Move& move, std::string why);
     void cut(const Move& move, const sim::turning::Move& way, Removed& r);
     [[nodiscard]] Removed cut_open(const Move& move);
+    void cut_along(const Move& move, Removed& r);
+    void pass_beside(const Move& move, const sim::turning::Move& way, Removed& r);
+    [[nodiscard]] bool touches_stock(const sim::turning::Move& way) const;
+    [[nodiscard]] bool leaves_towards_home(const Move& move, const geom::Region& body) const;
     void judge(const Move& move, const sim::turning::Cut& cut);
     [[nodiscard]] sim::turning::Cut beside_threads(const Move& move, const sim::turning::Cut& cut) const;
     void judge_holder(const Move& move, const sim::turning::Move& way);
@@ -71,6 +78,17 @@ private:
     void add_to_threads(const geom::Region& band);
     void note_fallen(const Move& move, const sim::turning::Cut& cut);
     void judge_clamps(const Move& move);
+    struct ClampBody;
+    [[nodiscard]] std::optional<sim::turning::Depth> depth_in(const ClampBody& clamp, const geom::Contour& body,
+                                                              const sim::turning::Move& way,
+                                                              const geom::Contour& across) const;
+    void judge_open_clamp(const Move& move, const ClampBody& clamp);
+    void judge_clamp(const Move& move, const ClampBody& clamp, const sim::turning::Move& way);
+    void say_clamp(const Move& move, const ClampBody& clamp, std::string_view what, const sim::turning::Depth& d);
+    void say_default_reach(const Move& move, std::string_view effect);
+    [[nodiscard]] std::vector<sim::turning::Move> ways_of(const Move& move, shop::RapidPath path) const;
+    void say_carried(const Move& move, Carried::Kind kind, const sim::turning::Depth& deepest);
+    void note_holding(const Move& move);
     void require_room(const cl::Record& end);
     void count_use(const Move& move, const Removed& removed);
     void require_contact();
@@ -89,9 +107,12 @@ private:
     std::vector<ClampBody> clamps_;
     Box stock_box_;
     const shop::Tool* tool_ = nullptr;
-    geom::Contour outline_, sure_;   ///< shop: outline, sure_outline
-    geom::Contour behind_;           ///< behind_blade
-    Box outline_box_;                ///< with the holder
+    geom::Contour outline_, sure_;  ///< shop: outline, sure_outline
+    geom::Contour behind_;          ///< behind_blade
+    std::vector<Carried> carried_;  ///< carried_by
+    Box outline_box_;               ///< with all of these
+    AxisUse use_on_axis_;
+    std::string held_by_nothing_;    ///< tools on the axis
     geom::Region threads_;           ///< what threads take from the stock, which stays in the model
     geom::Region fallen_;            ///< parted off
     geom::Region ridges_;            ///< what stands in the model because threads are not cut into it: no rest material

@@ -44,8 +44,10 @@ public:
     /// the axis, all of `outline` from one below it.
     Cut cut(const geom::Contour& outline, const Move& move, const geom::Contour& across);
     Cut cut(const geom::Contour& outline, const Move& move) { return cut(outline, move, outline); }
-    /// The material in which `body` would be somewhere along the move, on either side of the axis; nothing is removed.
-    [[nodiscard]] geom::Region met(const geom::Contour& body, const Move& move) const;
+    /// The material in which `body` would be somewhere along the move, on either side of the axis, `across` as above;
+    /// nothing is removed.
+    [[nodiscard]] geom::Region met(const geom::Contour& body, const Move& move, const geom::Contour& across) const;
+    [[nodiscard]] geom::Region met(const geom::Contour& body, const Move& move) const { return met(body, move, body); }
 
     [[nodiscard]] geom::Region region() const;
     [[nodiscard]] double area() const;    ///< mm2

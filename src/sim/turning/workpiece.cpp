@@ -217,7 +217,7 @@ Cut Workpiece::cut(const geom::Contour& outline, const Move& move, const geom::C
     return c;
 }
 
-Region Workpiece::met(const geom::Contour& body, const Move& move) const {
+Region Workpiece::met(const geom::Contour& body, const Move& move, const geom::Contour& across) const {
     Region all;
     const auto meet = [&](const Region& tool) {
         if (tool.empty()) return;
@@ -225,7 +225,7 @@ Region Workpiece::met(const geom::Contour& body, const Move& move) const {
         if (!both.empty()) all = all.empty() ? both : geom::unite(all, both);
     };
     meet(swept(body, move));
-    for (const TurnedOver& t : turned_over(body, body, move)) meet(swept(t.outline, t.move));
+    for (const TurnedOver& t : turned_over(body, across, move)) meet(swept(t.outline, t.move));
     return all;
 }
 
