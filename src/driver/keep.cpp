@@ -32,6 +32,7 @@ Kept keep(Session& s, const rewrite::Language& language, const std::string& name
     const program::Traits& traits = *s.main->traits;
     input.diameters =
         traits.begins_as_lathe || (!traits.radius_at_start && s.job.machine.defaults.diameter_programming);
+    input.angles_from_zero = !traits.angles_from_zero.empty() && s.job.machine.control.angles_from_zero.value_or(true);
     s.programs->read_called();
     out.rewritten = rewrite::rewrite(input, language, name);
     out.translated.text = out.rewritten.text;

@@ -167,6 +167,163 @@ TEST(keep_property, what_was_written_is_translated_on) {
     }
 }
 
+/// What a control can compute with, `a` and `b` for the operands; statements of its own where it has no expressions.
+struct Arithmetic {
+    const char* file;
+    const char* begin;
+    const char* set;  ///< {n} and {v}
+    const char* end;
+    const char *a, *b, *result;
+    std::vector<std::string> all;
+};
+
+std::string with(std::string text, const std::string& place, const std::string& by) {
+    for (std::size_t at = text.find(place); at != std::string::npos; at = text.find(place, at + by.size()))
+        text.replace(at, place.size(), by);
+    return text;
+}
+
+const std::vector<Arithmetic>& arithmetics() {
+    static const std::vector<Arithmetic> all{
+        {"MAIN.NGC",
+         "G21 G90 G17\nT1 M6\nS100 M3\n",
+         "{n}={v}\n",
+         "G0 X{r} Y0 Z0\nM2\n",
+         "#101",
+         "#102",
+         "#103",
+         {"a+b",
+          "a-b",
+          "a*b",
+          "a/b",
+          "a**2",
+          "a**b",
+          "a MOD b",
+          "a AND b",
+          "a OR b",
+          "a XOR b",
+          "a EQ b",
+          "a NE b",
+          "a LT b",
+          "a LE b",
+          "a GT b",
+          "a GE b",
+          "-a",
+          "SIN[a]",
+          "COS[a]",
+          "TAN[a]",
+          "ASIN[a/9]",
+          "ACOS[a/9]",
+          "ATAN[a]/[b]",
+          "SQRT[a*a]",
+          "ABS[a]",
+          "ROUND[a]",
+          "FIX[a]",
+          "FUP[a]",
+          "LN[ABS[a]+1]",
+          "EXP[a]",
+          "[a LT b] XOR [b LT 1]",
+          "[a XOR b] AND a",
+          "1 XOR 0",
+          "1+FIX[a]"}},
+        {"MAIN.NC",
+         "O1\nG21 G90 G17\nT1 M6\nS100 M3\n",
+         "{n}={v}\n",
+         "G0 X{r} Y0. Z0.\nM30\n",
+         "#101",
+         "#102",
+         "#103",
+         {"a+b",         "a-b",       "a*b",    "a/b",      "a MOD b",   "a AND b",    "a OR b",
+          "a XOR b",     "-a",        "SIN[a]", "COS[a]",   "TAN[a]",    "ASIN[a/9.]", "ACOS[a/9.]",
+          "ATAN[a]/[b]", "SQRT[a*a]", "ABS[a]", "ROUND[a]", "FIX[a]",    "FUP[a]",     "LN[ABS[a]+1.]",
+          "EXP[a]",      "BIN[a]",    "BCD[a]", "ADP[a]",   "POW[a,2.]", "[a EQ b]"}},
+        {"MAIN.MPF",
+         "G17 G90 G71\nT1 D1 M6\nS100 M3\n",
+         "{n}={v}\n",
+         "G0 X={r} Y0 Z0\nM30\n",
+         "R1",
+         "R2",
+         "R3",
+         {"a+b",           "a-b",           "a*b",         "a/b",
+          "a DIV b",       "a MOD b",       "a==b",        "a<>b",
+          "a<b",           "a<=b",          "a>b",         "a>=b",
+          "a AND b",       "a OR b",        "a XOR b",     "(a<b) XOR (b<1)",
+          "NOT a",         "NOT (a XOR b)", "a B_AND b",   "a B_OR b",
+          "a B_XOR b",     "B_NOT a",       "-a",          "SIN(a)",
+          "COS(a)",        "TAN(a)",        "ASIN(a/9)",   "ACOS(a/9)",
+          "ATAN2(a,b)",    "SQRT(a*a)",     "ABS(a)",      "POT(a)",
+          "TRUNC(a)",      "ROUND(a)",      "ROUNDUP(a)",  "LN(ABS(a)+1)",
+          "EXP(a)",        "MINVAL(a,b)",   "MAXVAL(a,b)", "BOUND(a,b,1)",
+          "TRUE XOR FALSE"}},
+        {"MAIN.H",
+         "BEGIN PGM MAIN MM\nTOOL CALL 1 Z S100\n",
+         "{n} = {v}\n",
+         "L X+{r} Y+0 Z+0 R0 FMAX M3\nM30\nEND PGM MAIN MM\n",
+         "Q1",
+         "Q2",
+         "Q3",
+         {"a + b",
+          "a - b",
+          "a * b",
+          "a / b",
+          "a ^ 2",
+          "a % b",
+          "- a",
+          "SIN a",
+          "COS a",
+          "TAN a",
+          "ASIN ( a / 9 )",
+          "ACOS ( a / 9 )",
+          "ATAN a",
+          "SQRT ( a * a )",
+          "SQ a",
+          "ABS a",
+          "INT a",
+          "FRAC a",
+          "NEG a",
+          "SGN a",
+          "LN ( ABS a + 1 )",
+          "LOG ( ABS a + 1 )",
+          "EXP a"}},
+    };
+    return all;
+}
+
+/// It says what it cannot write, or what it wrote does the same.
+void judge_arithmetic(const Arithmetic& c, const std::string& program, const std::string& to) {
+    SCOPED_TRACE(to + "\n" + program);
+    auto memory = std::make_shared<Memory>();
+    memory->put(c.file, program);
+    Session s;
+    const Request request = request_of(memory, c.file);
+    if (!open(request, s)) return;
+    const auto post = find_post(to, s, PostFor::statements);
+    const auto language = find_language(to, s);
+    ASSERT_TRUE(post && language);
+    const Kept kept = keep(s, *language, "MAIN");
+    if (kept.rewritten.loses()) return;
+    std::string what;
+    const Proved p = prove_with({}, kept, *post, request, {}, what);
+    if (p.why_not.starts_with("the program ends with an alarm")) return;  // said, and nothing is written
+    EXPECT_NE(p.proof, Proof::differs) << p.why_not << what << "\n" << kept.rewritten.text;
+}
+
+TEST(keep_property, whatever_a_control_computes_is_written_or_refused) {
+    for (const Arithmetic& c : arithmetics())
+        for (const std::string& expression : c.all)
+            for (const auto& [a, b] : {std::pair("3.", "2."), std::pair("-2.4", "0.5")}) {
+                const auto set = [&](const std::string& n, const std::string& v) {
+                    return with(with(c.set, "{n}", n), "{v}", v);
+                };
+                // Names of functions are written in capitals, the operands are not.
+                const std::string value = with(with(expression, "a", c.a), "b", c.b);
+                const std::string program =
+                    c.begin + set(c.a, a) + set(c.b, b) + set(c.result, value) + with(c.end, "{r}", c.result);
+                for (const char* to : {"heidenhain-itnc530", "fanuc", "haas", "sinumerik-840d", "linuxcnc"})
+                    judge_arithmetic(c, program, to);
+            }
+}
+
 TEST(keep, names_are_mapped) {
     const NameMap map{{"R3", "Q3"}, {"R4", "Q7"}};
     EXPECT_EQ(mapped({"r3=150", "R5=1", "R4=-2"}, map), (std::vector<std::string>{"Q3=150", "R5=1", "Q7=-2"}));

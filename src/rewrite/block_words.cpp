@@ -151,9 +151,8 @@ void BlockWords::gather() {
         }
         if (code == Code::assign) {
             const program::Assign& a = unit.assigns[static_cast<std::size_t>(word.payload)];
-            w_.judge_type(a.target, a.value);
             const auto to = w_.target_of(a.target);
-            const Text from = w_.value(a.value);
+            const Text from = w_.of_type(a.target, w_.value(a.value), a.value);
             const bool later = unit.traits->assigns_together && end - unit.statements[w_.at].first > 1;
             if (to && later) {
                 const Text held = from.number ? from : w_.place_for(a.value);

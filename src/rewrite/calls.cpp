@@ -59,11 +59,8 @@ std::string Writing::program_name(const Unit& u) {
             name = "PGM_" + name;
         return name;
     }
-    for (std::uint32_t n = first_called;; ++n) {
-        name = std::to_string(n);
-        const auto same = [&](const auto& other) { return other.first != &u && other.second == name; };
-        if (std::none_of(program_names_.begin(), program_names_.end(), same)) return name;
-    }
+    name = std::to_string(first_called + numbered_++);
+    return name;
 }
 
 const Unit* Writing::callee(const Unit& caller, const program::Call& c) const {
@@ -105,12 +102,23 @@ bool Writing::is_set_first(const Unit& u, std::uint32_t n) const {
 
 bool Writing::takes_numbers(const Unit& called) {
     for (const program::Parameter& p : called.parameters) {
-        if (!p.by_reference && !p.is_array && p.type == program::Type::real && p.preset == program::no_expr) continue;
+        const bool number = p.type == program::Type::real || p.type == program::Type::integer;
+        const bool constant = p.preset == program::no_expr || called.exprs[p.preset].kind == ExprKind::number;
+        if (!p.by_reference && !p.is_array && number && constant) continue;
         refuse(here, input.names->text(p.name) + " of " + called.name +
-                         ": of arguments, REAL without VAR, index and preset value are translated by structure");
+                         ": of arguments, REAL and INT without VAR and index are translated by structure, with a "
+                         "number alone as their preset value");
         return false;
     }
     return true;
+}
+
+/// What argument n has in the called program, where the call gives it `id`.
+Text Writing::given_value(const Unit& called, std::size_t n, ExprId id) {
+    const program::Parameter* p = n < called.parameters.size() ? &called.parameters[n] : nullptr;
+    if (id != program::no_expr) return p == nullptr ? value(id) : as_type(p->type, value(id), id);
+    const double preset = p == nullptr || p->preset == program::no_expr ? 0 : called.numbers[called.exprs[p->preset].a];
+    return number_text(p != nullptr && p->type == program::Type::integer ? std::floor(preset + 0.5) : preset);
 }
 
 void Writing::call(const program::Call& c) {
@@ -118,10 +126,8 @@ void Writing::call(const program::Call& c) {
     if (called == nullptr || c.kind == program::CallKind::modal || c.kind == program::CallKind::modal_end)
         return refuse(here, source(here) + ": this call is not translated by structure",
                       called == nullptr ? "put the program beside this one" : "");
-    if (c.first_block != program::no_expr || c.passes != program::no_expr)
-        return refuse(here,
-                      source(here) + ": a call with a number of passes or a first block is not translated by structure",
-                      "write it as a loop");
+    const auto passes = passes_of(c);
+    if (!passes) return;
     if (c.shares_parameters && naming.has_locals(*called))
         return refuse(here, source(here) + ": the called program works on this one's own parameters",
                       "call it with G65 and its values");
@@ -139,7 +145,7 @@ void Writing::call(const program::Call& c) {
                           "give it a value");
         }
         if (a.to.empty()) return refuse(here, "there is no parameter left for argument " + std::to_string(a.index + 1));
-        Text v = id == program::no_expr ? number_text(0) : value(id);
+        const Text v = given_value(*called, a.index, id);
         const std::string* form = language.find("flow.argument");
         if (form == nullptr) {
             sets.emplace_back(Text{a.to, Level::atom, std::nullopt}, v);
@@ -156,23 +162,11 @@ void Writing::call(const program::Call& c) {
     }
     for (const auto& [to, from] : sets) assign(to, from);
     // A program that shares them works on the numbers of this one's own variables, for what it holds between two steps.
-    const bool clash = naming.has_locals(*called) || naming.has_variables(*unit) || !counters_.empty();
+    const bool clash = naming.has_locals(*called) || naming.has_variables(*unit) || !counters_.empty() || *passes > 1;
     const bool own = clash && language.local_place != LocalPlace::name;
     const bool shared = !own && given.empty() && language.has("flow.call-shared");
     const std::string_view key = shared ? "flow.call-shared" : "flow.call";
-    static_cast<void>(say(key, {{"name", program_name(*called)}, {"arguments", given}}, "a call"));
-}
-
-void Writing::label_call(const program::LabelCall& c, std::uint32_t) {
-    const auto range = called_range(*unit, c);
-    if (range && !language.has("flow.repeat-section") && language.has("flow.call-shared"))
-        return static_cast<void>(say("flow.call-shared", {{"name", part(*range)}}, "a called label"));
-    if (!range || !language.has("flow.repeat-section"))
-        return refuse(here, source(here) + ": a called label is not translated by structure to this control",
-                      "write it as a program of its own");
-    static_cast<void>(say("flow.repeat-section",
-                          {{"first", label_of(range->first)}, {"last", label_of(range->last)}, {"passes", number(1)}},
-                          "a called label"));
+    repeated(*passes, [&] { say(key, {{"name", program_name(*called)}, {"arguments", given}}, "a call"); });
 }
 
 void Writing::procedure(const program::ProcedureCall& p) {
@@ -218,9 +212,10 @@ void Writing::define(const program::Define& d) {
                                        ": of variables, numbers without an index are translated by structure");
         const auto name = naming.variable(*unit, v.name);
         if (!name) return refuse(v.where, "there is no parameter left for " + input.names->text(v.name));
-        const Text first = v.values.empty() ? number_text(0) : value(v.values.front());
+        Text first = v.values.empty() ? number_text(0) : value(v.values.front());
+        if (!v.values.empty()) first = as_type(d.type, std::move(first), v.values.front());
         const bool whole = first.number && *first.number == std::trunc(*first.number);
-        if (d.type != program::Type::real && !whole)
+        if (d.type != program::Type::real && d.type != program::Type::integer && !whole)
             refuse(v.where, input.names->text(v.name) +
                                 " is no REAL: what rounds its first value is not translated by structure");
         assign({*name, Level::atom, std::nullopt}, first);
@@ -269,7 +264,7 @@ void Writing::end_program(const Unit& u, bool main) {
     write_length();
     if (!end_label_.empty()) place(end_label_);
     if (const std::string* text = language.find(main ? "flow.main-end" : "flow.sub-end");
-        text != nullptr && !text->empty())
+        text != nullptr && !text->empty() && (main || lines.back().text != *text))  // its return may be that already
         static_cast<void>(say(main ? "flow.main-end" : "flow.sub-end", {{"name", program_name(u)}}, "the end"));
 }
 

@@ -67,6 +67,14 @@ Condition Writing::condition(ExprId id, bool negated) {
         return c;
     }
     c.kind = Condition::Kind::comparison;
+    if (e.kind == ExprKind::binary && op == Operator::logical_xor) {  // 1 and 0, of which both are alike or not
+        c.a = truth(e.a), c.b = truth(e.b);
+        c.op = negated ? Operator::equal : Operator::not_equal;
+        if (!c.a.number || !c.b.number) return c;
+        c.kind = Condition::Kind::constant;
+        c.holds = (*c.a.number != *c.b.number) != negated;
+        return c;
+    }
     // The language may have no operands but numbers and parameters.
     const bool plain = !language.has("flow.jump-if") && !language.has("flow.if");
     const auto operand = [&](ExprId x) { return plain ? atom(x) : value(x); };

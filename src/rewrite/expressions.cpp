@@ -64,11 +64,21 @@ bool is_whole(const Unit& unit, ExprId id) {
 
 }  // namespace
 
-void Writing::judge_type(ExprId target, ExprId value) {
+Text Writing::as_type(program::Type type, Text v, ExprId from) {
+    if (type != program::Type::integer || from == program::no_expr || is_whole(*unit, from)) return v;
+    return rounded(v, from);
+}
+
+Text Writing::of_type(ExprId target, Text v, ExprId from) {
     const Expr& e = unit->exprs[target];
-    if (e.kind != ExprKind::variable || value == program::no_expr) return;
+    if (e.kind != ExprKind::variable || from == program::no_expr) return v;
     const auto type = type_of(*unit, e.a);
-    if (!type || *type == program::Type::real || is_whole(*unit, value)) return;
+    if (type == program::Type::integer) return as_type(*type, std::move(v), from);
+    if (type && *type != program::Type::real && !is_whole(*unit, from)) refuse_type(target);
+    return v;
+}
+
+void Writing::refuse_type(ExprId target) {
     refuse(span(target), source(span(target)) + " is no REAL: what rounds this value is not translated by structure",
            "round it in the program (ROUND, TRUNC), or make the variable a REAL");
 }

@@ -136,6 +136,7 @@ public:
         return to;
     }
     Text angle(const Text& y, const Text& x) {
+        if (w_.input.angles_from_zero) return more_a_turn(any_angle(y, x));
         return has("atan2") ? call("atan2", y, x) : less_a_turn(any_angle(y, x));
     }
     Text power(const Expr& e) {
@@ -177,6 +178,8 @@ Text binary(Writing& w, const Expr& e, ExprId id) {
 
 }  // namespace
 
+Text Writing::rounded(const Text& v, ExprId from) { return Lowering(*this, from).round(v); }
+
 Text Writing::function(const Expr& e, ExprId id) {
     if (e.kind == ExprKind::binary) return binary(*this, e, id);
     Lowering l(*this, id);
@@ -210,6 +213,7 @@ Text Writing::function(const Expr& e, ExprId id) {
             if (!l.has("atan")) return l.angle(a[0], l.n(1));
             break;
         case Function::asin:
+            if (input.angles_from_zero) return l.more_a_turn(l.call(l.has("asin") ? "asin" : "asin-turn", a[0]));
             if (!l.has("asin")) return l.less_a_turn(l.call("asin-turn", a[0]));
             break;
         default: break;

@@ -1,6 +1,8 @@
 #include "rewrite/held.hpp"
 
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/whole.hpp"
 #include "program/modal_group.hpp"
@@ -120,30 +122,78 @@ StatementPlace place_of(int number) {
     return {n >> places_of_statement, n & ((1U << places_of_statement) - 1)};
 }
 
+namespace {
+
+/// Follows the ways that a run may take until nothing changes any more: every statement again only where something
+/// else comes to it.
+class Following {
+public:
+    Following(const std::vector<const Unit*>& programs, const std::map<const Unit*, Graph>& graphs,
+              const Surroundings& around)
+        : programs_(programs), graphs_(graphs), around_(around), callers_(programs.size()) {
+        for (std::size_t n = 0; n < programs.size(); ++n) number_[programs[n]] = n;
+        for (const Unit* unit : programs) held_.emplace_back(unit->statements.size() + 1);
+    }
+
+    HeldModes run(const Held& start) {
+        come_to(0, 0, start);
+        while (!open_.empty()) {
+            const Place at = open_.back();
+            open_.pop_back();
+            step(at);
+        }
+        HeldModes all;
+        for (std::size_t n = 0; n < programs_.size(); ++n) all[programs_[n]] = std::move(held_[n]);
+        return all;
+    }
+
+private:
+    struct Place {
+        std::size_t program;
+        std::uint32_t statement;
+    };
+
+    void come_to(std::size_t program, std::uint32_t statement, const Held& with) {
+        if (!join(held_[program][statement], with)) return;
+        if (statement + 1 < held_[program].size()) return open_.push_back({program, statement});
+        open_.insert(open_.end(), callers_[program].begin(), callers_[program].end());
+    }
+
+    void step(const Place& at) {
+        const Unit& unit = *programs_[at.program];
+        Held out = behind(unit, at.program, at.statement, held_[at.program][at.statement], around_.tools_wait);
+        if (unit.statements[at.statement].kind == StatementKind::call)
+            call(at, unit.calls[entry_of(unit, at.statement)], out);
+        for (const std::uint32_t to : graphs_.at(&unit).next[at.statement])
+            if (to < held_[at.program].size()) come_to(at.program, to, out);
+    }
+
+    void call(const Place& at, const program::Call& c, Held& out) {
+        const Unit* called = around_.callee(*programs_[at.program], c);
+        if (called == nullptr) return;
+        const std::size_t n = number_.at(called);
+        if (known_.emplace(at.program, at.statement).second) callers_[n].push_back(at);
+        come_to(n, 0, held_[at.program][at.statement]);
+        if (called->save) return;
+        if (c.passes != program::no_expr) come_to(n, 0, held_[n].back());
+        out = held_[n].back();
+    }
+
+    const std::vector<const Unit*>& programs_;
+    const std::map<const Unit*, Graph>& graphs_;
+    const Surroundings& around_;
+    std::map<const Unit*, std::size_t> number_;
+    std::vector<std::vector<Held>> held_;  ///< by the numbers of programs
+    std::vector<std::vector<Place>> callers_;
+    std::set<std::pair<std::size_t, std::uint32_t>> known_;
+    std::vector<Place> open_;
+};
+
+}  // namespace
+
 HeldModes held_modes(const std::vector<const Unit*>& programs, const Held& start,
                      const std::map<const Unit*, Graph>& graphs, const Surroundings& around) {
-    HeldModes all;
-    for (const Unit* unit : programs) all[unit].resize(unit->statements.size() + 1);
-    join(all[programs.front()].front(), start);
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t n = 0; n < programs.size(); ++n) {
-            const Unit* unit = programs[n];
-            std::vector<Held>& held = all[unit];
-            for (std::uint32_t i = 0; i < unit->statements.size(); ++i) {
-                if (held[i][Mode::plane] == never_there) continue;
-                Held out = behind(*unit, n, i, held[i], around.tools_wait);
-                if (unit->statements[i].kind == StatementKind::call)
-                    if (const Unit* called = around.callee(*unit, unit->calls[entry_of(*unit, i)])) {
-                        changed = join(all[called].front(), held[i]) || changed;
-                        if (!called->save) out = all[called].back();
-                    }
-                for (const std::uint32_t to : graphs.at(unit).next[i])
-                    if (to < held.size()) changed = join(held[to], out) || changed;
-            }
-        }
-    }
-    return all;
+    return Following(programs, graphs, around).run(start);
 }
 
 }  // namespace obrys::rewrite

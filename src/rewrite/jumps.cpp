@@ -11,10 +11,16 @@ void Writing::find_structure() {
     region_numbers_.clear();
     if (language.has("flow.jump") || !keeps_structures()) return;
     structured_ = structured(*unit, modes.at(unit), *input.names, *input.sources);
-    if (structured_) region_numbers_.resize(structured_->regions.size());
+    if (!structured_) return;
+    const std::vector<Structured::Region>& regions = structured_->regions;
+    region_numbers_.resize(regions.size());
+    ends_at_.clear(), begins_at_.clear();
+    for (std::size_t r = 0; r < regions.size(); ++r)
+        if (!regions[r].own) (regions[r].loop ? begins_at_[regions[r].begin] : ends_at_[regions[r].end]).push_back(r);
 }
 
 std::string Writing::region_number(std::size_t region) {
+    if (structured_->regions[region].own) return structure_number(structured_->regions[region].begin);
     std::string& n = region_numbers_[region];
     if (n.empty()) n = std::to_string(++next_number_);
     return n;
@@ -23,18 +29,28 @@ std::string Writing::region_number(std::size_t region) {
 /// Ends of branches, then beginnings of loops, the inner ones first and last.
 void Writing::borders(std::uint32_t i) {
     if (!structured_) return;
-    std::vector<std::size_t> ends, begins;
-    for (std::size_t r = 0; r < structured_->regions.size(); ++r) {
-        const Structured::Region& region = structured_->regions[r];
-        if (!region.loop && region.end == i) ends.push_back(r);
-        if (region.loop && region.begin == i) begins.push_back(r);
-    }
+    std::vector<std::size_t> ends = ends_at_[i], begins = begins_at_[i];
     const auto& all = structured_->regions;
     std::sort(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) { return all[a].begin > all[b].begin; });
     std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return all[a].end > all[b].end; });
     for (const std::size_t r : ends) say("flow.end-if", {{"n", region_number(r)}}, "a branch");
     for (const std::size_t r : begins)
-        say(all[r].endless ? "flow.loop" : "flow.repeat", {{"n", region_number(r)}}, "a loop");
+        say(all[r].endless || ends_by_break() ? "flow.loop" : "flow.repeat", {{"n", region_number(r)}}, "a loop");
+}
+
+void Writing::break_when(const std::string& condition, const std::string& loop) {
+    const std::string n = std::to_string(++next_number_);
+    say("flow.if", {{"condition", condition}, {"n", n}}, "the way out of a loop");
+    say("flow.break", {{"n", loop}}, "the way out of a loop");
+    say("flow.end-if", {{"n", n}}, "the way out of a loop");
+    say("flow.end-loop", {{"n", loop}}, "a loop");
+}
+
+void Writing::say_again(const program::Jump& j, const std::string& loop) {
+    const auto text = as_text(condition(j.condition, ends_by_break()));
+    if (!text) return refuse(here, "this condition cannot be said in one expression");
+    if (ends_by_break()) return break_when(*text, loop);
+    say("flow.again", {{"condition", *text}, {"n", loop}}, "a loop");
 }
 
 void Writing::structured_jump(const program::Jump& j) {
@@ -47,7 +63,7 @@ void Writing::structured_jump(const program::Jump& j) {
     switch (jump.role) {
         case JumpRole::none: return;
         case JumpRole::branch: return say_with("flow.if", true, region_number(jump.region));
-        case JumpRole::again: return say_with("flow.again", false, region_number(jump.region));
+        case JumpRole::again: return say_again(j, region_number(jump.region));
         case JumpRole::other:
             return static_cast<void>(say("flow.else", {{"n", region_number(jump.region)}}, "a branch"));
         case JumpRole::end_loop:

@@ -166,11 +166,12 @@ void Naming::collect(const std::vector<const Unit*>& programs) {
         if (unit != nullptr || !numbered || id < own) continue;
         if (const auto to = take(language_.global, taken_, id - own + language_.shift)) given_[key] = *to;
     }
-    for (const Unit* unit : programs)
-        for (const Key& key : met_)
-            if (std::get<0>(key) == unit) give(key);
-    for (const Key& key : met_)
-        if (std::get<0>(key) == nullptr) give(key);
+    const auto give_all_of = [&](const Unit* unit) {
+        for (auto at = met_.lower_bound(Key{unit, false, 0}); at != met_.end() && std::get<0>(*at) == unit; ++at)
+            give(*at);
+    };
+    for (const Unit* unit : programs) give_all_of(unit);
+    give_all_of(nullptr);
     variables_ = locals_;
 }
 
@@ -195,7 +196,10 @@ std::optional<std::string> Naming::scratch(const Unit& unit) {
     return all[used++];
 }
 
-std::optional<std::string> Naming::keeper(const Unit& unit, const std::string& wanted) { return local(unit, wanted); }
+std::optional<std::string> Naming::keeper(const Unit& unit, const std::string& wanted) {
+    keeps_.insert(&unit);
+    return local(unit, wanted);
+}
 
 std::vector<Renamed> Naming::all() const {
     std::vector<Renamed> out;

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] const std::vector<std::string>& declared(const program::Unit& unit) { return declared_[&unit]; }
     /// The program itself names variables of its own.
     [[nodiscard]] bool has_variables(const program::Unit& unit) const { return variables_.contains(&unit); }
+    /// Something is kept in a place that `keeper` gave.
+    [[nodiscard]] bool keeps(const program::Unit& unit) const { return keeps_.contains(&unit); }
     /// It has variables of its own.
     [[nodiscard]] bool has_locals(const program::Unit& unit) const { return locals_.contains(&unit); }
     [[nodiscard]] std::vector<Renamed> all() const;
@@ -77,7 +79,7 @@ private:
     std::map<const program::Unit*, std::set<std::string>> taken_of_;
     std::map<const program::Unit*, std::vector<std::string>> scratch_, declared_;
     std::map<const program::Unit*, std::size_t> used_;
-    std::set<const program::Unit*> locals_, variables_;
+    std::set<const program::Unit*> locals_, variables_, keeps_;
 };
 
 /// Whether every program has this parameter for itself.

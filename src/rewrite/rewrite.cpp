@@ -119,6 +119,7 @@ Rewritten Writing::run(const std::string& name) {
         here = {u->file, u->begin, u->begin};
         if (u->inch) refuse(here, "programs in inches are not translated by structure");
         if (u->save && u != input.main) saves();
+        const std::size_t first = lines.size();
         begin_program(*u, u == input.main);
         const std::size_t top = lines.size();
         if (u == input.main && language.has("flow.main-start"))
@@ -126,11 +127,27 @@ Rewritten Writing::run(const std::string& name) {
         begin_frames();
         statements(*u);
         end_program(*u, u == input.main);
-        declare(top);
+        const std::size_t middle = lines.size();
         parts_of_unit();
+        if (!rep_keepers_.empty()) begin_repeats(top);
+        declare(top);
+        if (language.subs_first) parts_first(first, middle);
     }
     say_behind();
     return finished(name);
+}
+
+/// Lines behind `middle`, parts of the program that begins at `first`, go in front of it.
+void Writing::parts_first(std::size_t first, std::size_t middle) {
+    const std::size_t parts = lines.size() - middle, program = middle - first;
+    if (parts == 0) return;
+    const auto at_line = [this](std::size_t n) { return lines.begin() + static_cast<std::ptrdiff_t>(n); };
+    std::rotate(at_line(first), at_line(middle), lines.end());
+    for (Note& note : notes)
+        if (note.line > middle)
+            note.line -= program;
+        else if (note.line > first)
+            note.line += parts;
 }
 
 /// Programs that stand for cycles; in front of all where called ones stand there.

@@ -34,8 +34,9 @@ struct Input {
     std::function<const program::Unit*(std::string_view)> find;  ///< a program by its name
     const program::Names* names = nullptr;
     const base::Sources* sources = nullptr;
-    bool lathe = false;      ///< the machine
-    bool diameters = false;  ///< X words are diameters when the run begins
+    bool lathe = false;             ///< the machine
+    bool diameters = false;         ///< X words are diameters when the run begins
+    bool angles_from_zero = false;  ///< arc tangents and arc sines that would be negative are a full turn more
 };
 
 struct Rewritten {

@@ -67,15 +67,17 @@ void Writing::statements(const Unit& u) {
 void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
     const Unit& u = *unit;
     labels_.clear(), settled_.clear(), wanted_.clear(), again_.clear(), counters_.clear(), numbers_.clear(),
-        end_label_.clear();
+        end_label_.clear(), open_ifs_.clear();
     wanted_ = graphs.at(unit).jumped_to;
     for (std::uint32_t i = 0; i < u.statements.size(); ++i) {
         const StatementKind k = u.statements[i].kind;
         if (is_structure(k) && !keeps_structures()) structure_targets(u, i, wanted_);
+        if (k == StatementKind::label_call && repeats_label(i)) wanted_.insert(u.label_calls[entry_of(u, i)].target);
         if (!language.has("flow.repeat-section")) continue;
         std::optional<Range> r;
         if (k == StatementKind::label_call) r = called_range(u, u.label_calls[entry_of(u, i)]);
         if (r) wanted_.insert(r->first), wanted_.insert(r->last);
+        if (k == StatementKind::label_call && repeats_label(i)) wanted_.insert(i);
         if (k == StatementKind::repeat_section) r = repeated_range(u, i, u.sections[entry_of(u, i)]);
         if (r && k == StatementKind::repeat_section) wanted_.insert(r->first), wanted_.insert(r->last + 1);
     }
@@ -83,8 +85,9 @@ void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
         for (const std::uint32_t place : places)
             if (wanted_.contains(place)) labels_.try_emplace(place, input.names->text(name));
     for (std::uint32_t i = first; i < end; ++i) {
-        borders(i);
-        if (only_inline && !inline_.contains(i) && !is_structure(u.statements[i].kind)) continue;
+        const bool elsewhere = only_inline && !inline_.contains(i);
+        if (!elsewhere) borders(i);
+        if (elsewhere && !is_structure(u.statements[i].kind)) continue;
         at = i;
         here = u.span(u.statements[i]);
         if (wanted_.contains(i) && !structured_) place(label_of(i));
@@ -97,7 +100,7 @@ std::string Writing::part(const Range& r) {
     std::string& name = parts_[{unit, r.first}].name;
     if (!name.empty()) return name;
     const Graph& graph = graphs.at(unit);
-    bool good = !naming.has_locals(*unit) || language.local_place == LocalPlace::program;
+    bool good = !naming.has_variables(*unit) || language.local_place != LocalPlace::name;
     for (std::uint32_t i = r.first; i < r.last; ++i)
         for (const std::uint32_t to : graph.next[i])
             good = good && ((to >= r.first && to <= r.last) || unit->statements[i].kind == StatementKind::label_call ||
@@ -105,13 +108,20 @@ std::string Writing::part(const Range& r) {
     if (!good)
         refuse(here, source(here) + ": the called part jumps out of itself, or has variables of its own",
                "write it as a program of its own");
-    name = language.numbered_programs ? std::to_string(2000 + parts_.size()) : "PART_" + std::to_string(parts_.size());
+    const std::size_t first = std::max<std::size_t>(2000, 1001 + programs.size());
+    name = language.numbered_programs ? std::to_string(first + parts_.size()) : "PART_" + std::to_string(parts_.size());
+    const auto same = [&](const auto& other) { return other.second == name; };
+    while (!language.numbered_programs && std::any_of(program_names_.begin(), program_names_.end(), same)) name += '_';
+    if (!language.numbered_labels) all_labels_.insert(name);
     parts_[{unit, r.first}].range = r;
     waiting_.push_back(r.first);
     return name;
 }
 
 void Writing::parts_of_unit() {
+    if (!waiting_.empty() && language.local_place == LocalPlace::name && naming.keeps(*unit))
+        refuse(here, unit->name + ": a called part of it needs a value that this program keeps",
+               "write the part as a program of its own");
     while (!waiting_.empty()) {
         const Part part = parts_[{unit, waiting_.front()}];
         waiting_.erase(waiting_.begin());
@@ -119,9 +129,11 @@ void Writing::parts_of_unit() {
         static_cast<void>(say("flow.sub-begin", {{"name", part.name}, {"parameters", ""}}, "a part"));
         range(part.range.first, part.range.last, false);
         at = part.range.last;
-        if (wanted_.contains(at)) place(label_of(at));
+        borders(at);
+        if (wanted_.contains(at) && !structured_) place(label_of(at));
         if (!end_label_.empty()) place(end_label_);
-        static_cast<void>(say("flow.sub-end", {{"name", part.name}}, "a part"));
+        if (const std::string* text = language.find("flow.sub-end"); text == nullptr || lines.back().text != *text)
+            static_cast<void>(say("flow.sub-end", {{"name", part.name}}, "a part"));
     }
 }
 
@@ -245,6 +257,7 @@ void Writing::branch(std::uint32_t i) {
             if (!keeps) return jump_when(condition(b.condition, true), label_of(b.target));
             // An ELSE finds its IF by the place at which that goes on when its condition does not hold.
             numbers_[i] = std::to_string(++next_number_);
+            open_ifs_.push_back(i);
             return open("flow.if", i);
         case StatementKind::while_: {
             if (!keeps) return jump_when(condition(b.condition, true), label_of(b.target));
@@ -262,10 +275,11 @@ void Writing::branch(std::uint32_t i) {
             if (keeps) open("flow.loop", i);
             return;
         case StatementKind::repeat_:
-            if (keeps) open("flow.repeat", i);
+            if (keeps) open(ends_by_break() ? "flow.loop" : "flow.repeat", i);
             return;
         case StatementKind::until:
             if (!keeps) return jump_when(condition(b.condition, true), label_of(b.target));
+            if (ends_by_break()) return break_when(condition_text(false), structure_number(b.target));
             // Where the language says when to go on instead of when to stop.
             return language.has("flow.again") ? open("flow.again", b.target, true) : open("flow.until", b.target);
         default: break;
@@ -274,12 +288,9 @@ void Writing::branch(std::uint32_t i) {
         if (k == StatementKind::else_) jump(label_of(b.target));
         return;
     }
-    for (std::uint32_t o = i; o-- > 0;) {  // else_ and endif: the innermost IF that is still open
-        if (unit->statements[o].kind != StatementKind::if_ || !numbers_.contains(o)) continue;
-        open(k == StatementKind::else_ ? "flow.else" : "flow.end-if", o);
-        if (k == StatementKind::endif) numbers_.erase(o);
-        return;
-    }
+    if (open_ifs_.empty()) return;  // else_ and endif: of the innermost IF that is still open
+    open(k == StatementKind::else_ ? "flow.else" : "flow.end-if", open_ifs_.back());
+    if (k == StatementKind::endif) open_ifs_.pop_back();
 }
 
 void Writing::loop(std::uint32_t i) {
@@ -289,9 +300,8 @@ void Writing::loop(std::uint32_t i) {
     const program::For& head = opens ? f : unit->fors[entry_of(*unit, f.target)];
     const auto variable = target_of(head.variable);
     if (!variable) return;
-    if (opens) judge_type(head.variable, head.from);
     if (opens)
-        assign(*variable, value(head.from));
+        assign(*variable, of_type(head.variable, value(head.from), head.from));
     else
         assign(*variable, joined("operators.add", *variable, number_text(1), Level::sum));
     const bool plain = !language.has("flow.jump-if") && !language.has("flow.if");

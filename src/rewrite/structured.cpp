@@ -33,17 +33,46 @@ struct Found {
     bool always = false;
 };
 
+bool opens(StatementKind k) {
+    return k == StatementKind::if_ || k == StatementKind::while_ || k == StatementKind::loop_ ||
+           k == StatementKind::repeat_ || k == StatementKind::for_ || k == StatementKind::repeat_count;
+}
+bool closes(StatementKind k) {
+    return k == StatementKind::endif || k == StatementKind::endwhile || k == StatementKind::endloop ||
+           k == StatementKind::until || k == StatementKind::endfor || k == StatementKind::end_repeat_count;
+}
+
+/// The program's own structures, which stay what they are; nothing where one of them has no end.
+std::optional<std::vector<Region>> own_structures(const Unit& unit) {
+    std::vector<Region> out;
+    std::vector<std::size_t> open;
+    for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
+        const StatementKind k = unit.statements[i].kind;
+        if (opens(k)) {
+            open.push_back(out.size());
+            out.push_back({i, i, k != StatementKind::if_, false, i, std::nullopt, true});
+        } else if (open.empty() && (closes(k) || k == StatementKind::else_)) {
+            return std::nullopt;
+        } else if (k == StatementKind::else_) {
+            out[open.back()].other = i;
+        } else if (closes(k)) {
+            out[open.back()].end = i + 1;
+            open.pop_back();
+        }
+    }
+    return open.empty() ? std::optional(std::move(out)) : std::nullopt;
+}
+
 /// Nothing where the program jumps in another way too.
 std::optional<std::vector<Found>> jumps_of(const Unit& unit, const std::vector<Held>& held, const program::Names& names,
                                            const base::Sources& sources) {
     std::vector<Found> out;
     for (std::uint32_t i = 0; i < unit.statements.size(); ++i) {
         const StatementKind kind = unit.statements[i].kind;
-        const bool structure = (kind >= StatementKind::if_ && kind <= StatementKind::endfor) ||
-                               kind == StatementKind::repeat_count || kind == StatementKind::case_ ||
-                               kind == StatementKind::label_call || kind == StatementKind::repeat_section;
         if (held[i][Mode::plane] == never_there) continue;
-        if (structure) return std::nullopt;
+        const bool repeats =
+            kind == StatementKind::label_call && unit.label_calls[entry_of(unit, i)].repeats != program::no_expr;
+        if (repeats || kind == StatementKind::case_ || kind == StatementKind::repeat_section) return std::nullopt;
         if (kind != StatementKind::jump) continue;
         const program::Jump& jump = unit.jumps[entry_of(unit, i)];
         const auto to = destination(unit, i, jump, names, sources);
@@ -55,6 +84,8 @@ std::optional<std::vector<Found>> jumps_of(const Unit& unit, const std::vector<H
 
 class Structuring {
 public:
+    explicit Structuring(std::vector<Region> own) { out_.regions = std::move(own); }
+
     std::optional<Structured> run(const std::vector<Found>& jumps) {
         for (const Found& j : jumps)
             if (j.to <= j.at) loop(j);
@@ -94,7 +125,7 @@ private:
     bool other(const Found& j) {
         for (std::size_t r = 0; r < out_.regions.size(); ++r) {
             Region& region = out_.regions[r];
-            if (region.loop || region.other || region.end != j.at + 1 || region.begin > j.at) continue;
+            if (region.own || region.loop || region.other || region.end != j.at + 1 || region.begin > j.at) continue;
             region.other = j.at;
             region.end = j.to;
             out_.jumps[j.at] = {JumpRole::other, r};
@@ -128,7 +159,10 @@ std::optional<Structured> structured(const Unit& unit, const std::vector<Held>& 
                                      const base::Sources& sources) {
     const auto jumps = jumps_of(unit, held, names, sources);
     constexpr std::size_t most = 2000;
-    return jumps && jumps->size() <= most ? Structuring().run(*jumps) : std::nullopt;
+    if (!jumps || jumps->size() > most) return std::nullopt;
+    auto own = own_structures(unit);
+    if (!own || (own->size() > 0 && (jumps->empty() || own->size() + jumps->size() > most))) return std::nullopt;
+    return Structuring(std::move(*own)).run(*jumps);
 }
 
 }  // namespace obrys::rewrite

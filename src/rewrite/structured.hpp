@@ -29,6 +29,7 @@ struct Structured {
         bool loop = false, endless = false;    ///< else a branch
         std::uint32_t jump = 0;                ///< that makes it
         std::optional<std::uint32_t> other{};  ///< the jump that is its ELSE
+        bool own = false;                      ///< of the program, which says its begin and end itself
     };
     struct Jump {
         JumpRole role = JumpRole::none;

@@ -70,10 +70,15 @@ public:
     Text place_for(ExprId where);
     void assign(const Text& to, const Text& from);
     std::optional<Text> target_of(ExprId id);
-    /// Refuses what an INT or BOOL would round.
-    void judge_type(ExprId target, ExprId value);
+    /// `v`, the value of `from`, as a variable of that type takes it: INT rounds.
+    Text as_type(program::Type type, Text v, ExprId from);
+    /// The same of the variable that is assigned to; refuses what a BOOL would make of it.
+    Text of_type(ExprId target, Text v, ExprId from);
+    void refuse_type(ExprId target);
 
     // functions.cpp
+    /// To the nearest whole number, halves up.
+    Text rounded(const Text& v, ExprId from);
     Text function(const Expr& e, ExprId id);
 
     // conditions.cpp
@@ -93,7 +98,15 @@ public:
 
     // calls.cpp
     void call(const program::Call& c);
+    // passes.cpp
+    /// How often it is to be done; nothing after a complaint.
+    std::optional<int> passes_of(const program::Call& c);
+    void repeated(int passes, const std::function<void()>& what);
     void label_call(const program::LabelCall& c, std::uint32_t statement);
+    /// A repeated part (REP) that can be said there.
+    [[nodiscard]] bool repeats_label(std::uint32_t statement) const;
+    void repeat_label(const program::LabelCall& c);
+    void begin_repeats(std::size_t top);
     void procedure(const program::ProcedureCall& p);
     /// An alarm of the program: its number, a blank and its text.
     void alarm(const std::string& said);
@@ -182,6 +195,7 @@ private:
     [[nodiscard]] bool means_more(std::uint32_t number) const;
     /// What a call does not hand over as it is: VAR, arrays, types but numbers. Refuses it.
     bool takes_numbers(const Unit& called);
+    Text given_value(const Unit& called, std::size_t n, ExprId id);
     /// Argument n is set by the program before it reads it.
     [[nodiscard]] bool is_set_first(const Unit& unit, std::uint32_t n) const;
     void structure(std::uint32_t i);
@@ -194,16 +208,23 @@ private:
     std::string region_number(std::size_t region);
     void borders(std::uint32_t i);
     void structured_jump(const program::Jump& j);
+    /// The end of a loop that goes on while the jump's condition holds.
+    void say_again(const program::Jump& j, const std::string& loop);
     void jump_statement(const program::Jump& j);
     void section(std::uint32_t i);
     [[nodiscard]] bool keeps_structures() const { return language.has("flow.while"); }
     std::string structure_number(std::uint32_t opener);
+    /// Of a language that has no loop with its condition at the end.
+    [[nodiscard]] bool ends_by_break() const { return !language.has("flow.repeat") && language.has("flow.break"); }
+    /// The end of such a loop.
+    void break_when(const std::string& condition, const std::string& loop);
     /// SAVE of the unit: refused where it has an effect.
     void saves();
     /// Declares the unit's own names, in front of what stands behind line `top`.
     void declare(std::size_t top);
     Rewritten finished(const std::string& name);
     void say_behind();
+    void parts_first(std::size_t first, std::size_t middle);
     std::optional<Text> tool_of(const Expr& e);
     struct NamedContour;
     std::optional<NamedContour> contour_here();
@@ -220,9 +241,12 @@ private:
     std::set<std::uint32_t> wanted_;                ///< statements that need a label
     std::set<std::string> all_labels_;
     std::map<const Unit*, std::string> program_names_;
+    std::uint32_t numbered_ = 0;     ///< programs that have been given a number
     std::set<std::uint32_t> again_;  ///< loops whose conditions need lines before them
     std::map<std::uint32_t, std::string> counters_;
     std::map<std::uint32_t, std::string> numbers_;  ///< of structures
+    std::vector<std::uint32_t> open_ifs_;           ///< their statements, the innermost last
+    std::vector<std::string> rep_keepers_;          ///< whether a part is being repeated
     int next_label_ = 0, next_number_ = 0;
     std::string end_label_;
     struct Part {
@@ -244,7 +268,8 @@ private:
     std::map<std::pair<int, Mode>, Text> frame_values_;  ///< by the place that says them
     std::vector<Line> said_behind_;                      ///< texts of programs
     std::optional<Structured> structured_;               ///< the jumps of the unit, where the control has none
-    std::vector<std::string> region_numbers_;            ///< of their regions
+    std::map<std::uint32_t, std::vector<std::size_t>> ends_at_, begins_at_;  ///< of branches and loops among them
+    std::vector<std::string> region_numbers_;                                ///< of their regions
     bool jumps_refused_ = false;
     std::string last_message_;
 };
