@@ -1,5 +1,7 @@
 /// Conditions: as one expression where the language has such, else as jumps that compare two values each.
 
+#include <utility>
+
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -135,7 +137,26 @@ void Writing::jump_when(const Condition& c, const std::string& label) {
     }
 }
 
+namespace {
+
+/// Within an expression both ways meet again: words that wait for the next move go on waiting behind them, and do not
+/// come to stand on one of the ways.
+class Kept {
+public:
+    explicit Kept(std::string& waits) : waits_(waits), kept_(std::exchange(waits, {})) {}
+    ~Kept() { waits_ = std::move(kept_); }
+    Kept(const Kept&) = delete;
+    Kept& operator=(const Kept&) = delete;
+
+private:
+    std::string& waits_;
+    std::string kept_;
+};
+
+}  // namespace
+
 void Writing::when(const Text& a, Operator op, const Text& b, const std::function<void()>& then) {
+    const Kept length(length_waits);
     Condition c{.kind = Condition::Kind::comparison, .op = op, .a = a, .b = b};
     const auto text = language.has("flow.if") ? as_text(c) : std::nullopt;
     if (text) {
@@ -155,6 +176,7 @@ Text Writing::truth(ExprId id) {
     const Condition c = condition(id);
     if (c.kind == Condition::Kind::constant) return number_text(c.holds ? 1 : 0);
     const Text to = place_for(id);
+    const Kept length(length_waits);
     assign(to, number_text(0));
     if (const auto text = language.has("flow.if") ? as_text(c) : std::nullopt) {
         const std::string n = std::to_string(++next_number_);

@@ -125,7 +125,7 @@ void swivel_plane(Calling& run, const Call& call) {
     if (run.stopped) return;
     constexpr double tracks = 10;
     if (n[direction] != 0 && (turns || was_tilted || has_axes))
-        swivel(run, n[status] >= tracks, stood, call.where);
+        swivel(run, n[status] >= tracks, true, stood, call.where);
     else
         tell_rotary(run, axis_before);
 }

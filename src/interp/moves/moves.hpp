@@ -117,7 +117,7 @@ struct BeforeSwivel {
     double distance = 0;  ///< mm before the tip at which the place stays that is turned about (DIST)
 };
 /// MOVE, TURN: the rotary axes go where `aim` said.
-void swivel(Moving&, bool keeps_tip, const BeforeSwivel&, const base::Span& where);
+void swivel(Moving&, bool keeps_tip, bool rapid, const BeforeSwivel&, const base::Span& where);
 /// Where the tool's axis points, seen from the workpiece, the rotary axes as they stand.
 [[nodiscard]] geom::Vec3 axis_of_tool(const Reckoning&);
 /// The position as seen from the workpiece, whatever counts.

@@ -109,7 +109,8 @@ void plane(Moving& run, const Special& s) {
     if (how == stay)
         tell_rotary(run, axis_before);
     else
-        swivel(run, how == move, {tip, axis_of_tool(run), datum_of(run, s, Datum::distance)}, s.where);
+        swivel(run, how == move, !run.block.has(Code::feed),
+               {tip, axis_of_tool(run), datum_of(run, s, Datum::distance)}, s.where);
 }
 
 }  // namespace obrys::interp

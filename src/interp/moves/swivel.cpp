@@ -59,7 +59,7 @@ Vec3 turned_about(const BeforeSwivel& before, const Vec3& axis) {
 
 }  // namespace
 
-void swivel(Moving& run, bool keeps_tip, const BeforeSwivel& was, const base::Span& where) {
+void swivel(Moving& run, bool keeps_tip, bool rapid, const BeforeSwivel& was, const base::Span& where) {
     if (run.aimed_at.empty()) {
         unchecked(run, codes::unsupported, where,
                   "the positions to which the rotary axes go for this plane depend on the machine's "
@@ -83,7 +83,7 @@ void swivel(Moving& run, bool keeps_tip, const BeforeSwivel& was, const base::Sp
         recount(run, before);
     // Else nobody could tell both where the place is not known.
     if (keeps_tip) emit(run, cl::MachinePlace{cl::PlaceKind::frame, 1, {true, true, true}, run.programmed_position});
-    emit(run, cl::Linear{run.position, run.tool_axis, !run.block.has(Code::feed)});
+    emit(run, cl::Linear{run.position, run.tool_axis, rapid});
 }
 
 }  // namespace obrys::interp
