@@ -66,7 +66,7 @@ void Writer::write_tool() {
     const bool by_name = !change.name.empty() && post_.has(Command::tool_by_name);
     const std::string what = "tool " + (change.number == 0 ? change.name : std::to_string(change.number));
     const bool same = stays(change);
-    const bool had_length = same && tool_->with_length;
+    const bool had_length = same && tool_ && tool_->with_length;
     tool_ = change;
     if (same) {
         const bool says_edge = post_.has(Command::tool_edge);
