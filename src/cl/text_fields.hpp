@@ -45,6 +45,11 @@ void affine_fields(Io& io, Of<Io, geom::Frame>& frame) {
     return programmed != nullptr ? &programmed->ends : ends_of(s);
 }
 
+[[nodiscard]] inline AxisEnds* ends_before(Step& s) {
+    auto* programmed = std::get_if<Programmed>(&s);
+    return programmed != nullptr ? &programmed->ends : ends_of(s);
+}
+
 // --- moves; whether they are rapid stands in the first word of a straight one
 template <class Io>
 void fields(Io& io, Of<Io, Linear>& s) {

@@ -219,7 +219,7 @@ bool TextReader::step(Sink sink) {
 
 /// A move takes along the axes of the lines before it.
 void TextReader::hand_on(Record& record, Sink sink) {
-    if (const AxisEnds* ends = ends_before(record.step)) const_cast<AxisEnds&>(*ends) = std::exchange(ends_, {});
+    if (AxisEnds* ends = ends_before(record.step)) *ends = std::exchange(ends_, {});
     sink(record);
 }
 

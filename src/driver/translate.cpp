@@ -171,8 +171,7 @@ void lose_beginning_anew(Session& session, Ledger& ledger) {
 Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options) {
     // A loop's passes are all written: what would be longer than any control's memory most likely never ends.
     constexpr std::uint64_t most_written = 1'000'000;
-    if (std::uint64_t& passes = session.job.budgets.loop_passes; passes == shop::Budgets{}.loop_passes)
-        passes = most_written;
+    if (shop::Budgets& limits = session.job.budgets; !limits.bounds_loops) limits.loop_passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
     cl::Recording does;

@@ -81,6 +81,7 @@ struct Budgets {
     std::uint32_t call_depth = 16;              ///< program levels, the main program's included (SINUMERIK 840D sl: 16)
     std::uint64_t simulated_moves = 4'000'000;  ///< some 0.5 kB of memory each
     double seconds = 60;
+    bool bounds_loops = false;  ///< the job says `loop_passes`
     bool bounds_check = false;  ///< the job says `seconds`: they hold for the check, too, which has no end of its own
 };
 

@@ -43,4 +43,63 @@ bool append_number(std::string& out, double value, const NumberStyle& style) {
     return true;
 }
 
+Usual usual_style(Value v) {
+    switch (v) {
+        case Value::feed:
+        case Value::own_feed: return Usual::feed;
+        case Value::speed:
+        case Value::limit: return Usual::speed;
+        case Value::seconds: return Usual::seconds;
+        case Value::sweep:
+        case Value::held:
+        case Value::rotary:
+        case Value::purpose_angle:
+        case Value::axis:
+        case Value::angle:
+        case Value::angle_x:
+        case Value::angle_y:
+        case Value::angle_z: return Usual::angle;
+        case Value::factor_x:
+        case Value::factor_y:
+        case Value::factor_z: return Usual::factor;
+        case Value::turns:
+        case Value::more_turns:
+        case Value::number:
+        case Value::edge:
+        case Value::turret:
+        case Value::offset:
+        case Value::place:
+        case Value::approach:
+        case Value::entry:
+        case Value::filter:
+        case Value::side:
+        case Value::turn_side:
+        case Value::table_turns:
+        case Value::purpose:
+        case Value::way:
+        case Value::revolutions:
+        case Value::block:
+        case Value::passes: return Usual::whole;
+        default: return Usual::length;
+    }
+}
+
+Usual usual_style(cl::CycleRole role) {
+    const std::string_view name = cl::spelling(role);
+    const auto begins = [&](std::string_view word) { return name.starts_with(word); };
+    const auto holds = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
+    if (begins("feed-factor") || begins("rpm-factor") || name == "factor" || name == "overlap") return Usual::factor;
+    if (begins("feed-reference")) return Usual::whole;
+    if (begins("feed")) return Usual::feed;
+    if (holds("spindle-speed")) return Usual::speed;
+    if (begins("dwell") && name != "dwell-depth") return Usual::seconds;
+    if (holds("angle") || name == "rotation") return Usual::angle;
+    for (const std::string_view counted :
+         {"direction", "count", "columns", "rows", "passes", "operation", "plunge", "strategy", "approach",
+          "compensation", "traverse", "move-at-clearance", "breaks-before-retract", "countersink-order",
+          "threads-per-step", "datum-number", "preset-number", "tolerance-mode"})
+        if (name == counted || name.ends_with(std::string("-") + std::string(counted))) return Usual::whole;
+    return Usual::length;
+}
+
 }  // namespace obrys::write

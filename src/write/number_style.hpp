@@ -1,8 +1,14 @@
 #pragma once
 /// How a control wants its numbers written.
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
+
+#include "cl/cycle.hpp"
+#include "write/values.hpp"
 
 namespace obrys::write {
 
@@ -17,6 +23,13 @@ struct NumberStyle {
     bool exact = false;      ///< a number with more decimals than these is refused, not rounded
     std::string at_rapid{};  ///< what stands for an infinite value ("MAX"); empty: it cannot be written
 };
+
+/// Styles that values have where a template names none, by their names in [numbers].
+inline constexpr std::array<std::string_view, 7> usual_styles{"length",  "angle", "feed",  "speed",
+                                                              "seconds", "whole", "factor"};
+enum class Usual : std::uint8_t { length, angle, feed, speed, seconds, whole, factor };
+[[nodiscard]] Usual usual_style(Value v);
+[[nodiscard]] Usual usual_style(cl::CycleRole role);
 
 /// The value that the written number stands for.
 [[nodiscard]] double as_written(double value, const NumberStyle& style);

@@ -17,70 +17,6 @@ using shop::Entry;
 using shop::Section;
 namespace codes = base::codes;
 
-/// Styles that values have where a template names none.
-constexpr std::array<std::string_view, 7> usual_styles{"length",  "angle", "feed",  "speed",
-                                                       "seconds", "whole", "factor"};
-enum Usual : std::size_t { length, angle, feed, speed, seconds, whole, factor };
-
-Usual usual_style(Value v) {
-    switch (v) {
-        case Value::feed:
-        case Value::own_feed: return feed;
-        case Value::speed:
-        case Value::limit: return speed;
-        case Value::seconds: return seconds;
-        case Value::sweep:
-        case Value::held:
-        case Value::rotary:
-        case Value::purpose_angle:
-        case Value::axis:
-        case Value::angle:
-        case Value::angle_x:
-        case Value::angle_y:
-        case Value::angle_z: return angle;
-        case Value::factor_x:
-        case Value::factor_y:
-        case Value::factor_z: return factor;
-        case Value::turns:
-        case Value::more_turns:
-        case Value::number:
-        case Value::edge:
-        case Value::turret:
-        case Value::offset:
-        case Value::place:
-        case Value::approach:
-        case Value::entry:
-        case Value::filter:
-        case Value::side:
-        case Value::turn_side:
-        case Value::table_turns:
-        case Value::purpose:
-        case Value::way:
-        case Value::revolutions:
-        case Value::block:
-        case Value::passes: return whole;
-        default: return length;
-    }
-}
-
-Usual usual_style(cl::CycleRole role) {
-    const std::string_view name = cl::spelling(role);
-    const auto begins = [&](std::string_view word) { return name.starts_with(word); };
-    const auto holds = [&](std::string_view word) { return name.find(word) != std::string_view::npos; };
-    if (begins("feed-factor") || begins("rpm-factor") || name == "factor" || name == "overlap") return factor;
-    if (begins("feed-reference")) return whole;
-    if (begins("feed")) return feed;
-    if (holds("spindle-speed")) return speed;
-    if (begins("dwell") && name != "dwell-depth") return seconds;
-    if (holds("angle") || name == "rotation") return angle;
-    for (const std::string_view counted :
-         {"direction", "count", "columns", "rows", "passes", "operation", "plunge", "strategy", "approach",
-          "compensation", "traverse", "move-at-clearance", "breaks-before-retract", "countersink-order",
-          "threads-per-step", "datum-number", "preset-number", "tolerance-mode"})
-        if (name == counted || name.ends_with(std::string("-") + std::string(counted))) return whole;
-    return length;
-}
-
 /// Reads one post file; what it extends is in it already.
 class Reader {
 public:
@@ -111,11 +47,17 @@ public:
 private:
     void complain(base::Span where, std::string text) { file_.error(codes::job_value, where, std::move(text)); }
 
+    template <class Of>
+    static std::size_t style_of(Of of) {
+        return static_cast<std::size_t>(usual_style(of));
+    }
+
     void read_numbers() {
         post_.styles.assign(usual_styles.size(), {});
         for (const std::string_view name : usual_styles) grammar_.style_names.emplace_back(name);
-        post_.styles[whole].decimals = 0;
-        post_.styles[whole].exact = true;
+        NumberStyle& whole = post_.styles[static_cast<std::size_t>(Usual::whole)];
+        whole.decimals = 0;
+        whole.exact = true;
         const Entry* table = file_.sub_table("numbers");
         for (const Entry& e : table ? table->value.entries : std::vector<Entry>{}) {
             Section s(e.value, "[numbers] " + e.key, file_.diagnostics());
@@ -136,9 +78,9 @@ private:
             s.finish();
         }
         grammar_.style_of.resize(value_count);
-        for (std::size_t v = 0; v < first_role; ++v) grammar_.style_of[v] = usual_style(static_cast<Value>(v));
+        for (std::size_t v = 0; v < first_role; ++v) grammar_.style_of[v] = style_of(static_cast<Value>(v));
         for (std::size_t v = first_role; v < value_count; ++v)
-            grammar_.style_of[v] = usual_style(static_cast<cl::CycleRole>(v - first_role));
+            grammar_.style_of[v] = style_of(static_cast<cl::CycleRole>(v - first_role));
     }
 
     void read_modal() {

@@ -9,11 +9,7 @@ using cl::SettingKind;
 
 namespace {
 
-bool names_axes(const BlockWords& b) {
-    bool any = false;
-    for (int k = 0; k < 9; ++k) any = any || b.has(axis_code(k));
-    return any;
-}
+bool names_axes(const BlockWords& b) { return (b.present & (linear_axes | other_axes)) != 0; }
 
 }  // namespace
 

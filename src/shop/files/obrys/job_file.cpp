@@ -120,7 +120,8 @@ void read_limits(Section& file, Job& job) {
         Budgets& b = job.budgets;
         constexpr std::int64_t most = 1'000'000'000'000'000;
         if (const auto v = s->integer("blocks", 1, most)) b.blocks = static_cast<std::uint64_t>(*v);
-        if (const auto v = s->integer("loop_passes", 1, most)) b.loop_passes = static_cast<std::uint64_t>(*v);
+        if (const auto v = s->integer("loop_passes", 1, most))
+            b.loop_passes = static_cast<std::uint64_t>(*v), b.bounds_loops = true;
         if (const auto v = s->integer("simulated_moves", 1, most)) b.simulated_moves = static_cast<std::uint64_t>(*v);
         if (const auto v = s->integer("call_depth", 1, 1000)) b.call_depth = static_cast<std::uint32_t>(*v);
         if (const auto v = s->number("seconds", Range::positive)) b.seconds = *v, b.bounds_check = true;
