@@ -17,7 +17,7 @@ struct Printed {
     std::vector<std::string> calls;
     void operator()(std::string_view line) {
         const std::string text(line.substr(0, line.size() - 1));
-        calls.push_back(text.size() > 14 ? text.substr(14) : text);
+        calls.push_back(text.size() > 13 ? text.substr(13) : text);
     }
     std::string from(std::size_t n) const {
         std::string out;
