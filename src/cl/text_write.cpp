@@ -83,7 +83,6 @@ public:
     void each_word(const List& list, std::string_view, F f) {
         each_text(list, f);
     }
-    void setting_kind(SettingKind k) { whole(static_cast<int>(k)); }
     void letter(char c) { quoted({&c, 1}); }
     void axis_name(const std::array<char, 8>& name) {
         std::size_t length = 0;

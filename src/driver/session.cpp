@@ -77,7 +77,7 @@ Session::Session(std::shared_ptr<const Session> opened)
       machine_unit(shares->machine_unit),
       has_stored(shares->has_stored),
       spindle_goes_on(shares->spindle_goes_on),
-      canon(shares->canon),
+      stand_alone(shares->stand_alone),
       has_job(shares->has_job),
       looked_ahead_in_vain(shares->looked_ahead_in_vain),
       unusable(shares->unusable) {}
@@ -175,8 +175,8 @@ EnvironmentOf::EnvironmentOf(Session& s)
                   s.programs->definitions(),
                   s.job.variables,
                   s.files.get(),
-                  s.canon,
-                  s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
+                  s.stand_alone,
+                  s.stand_alone ? std::optional(geom::Vec3{}) : std::nullopt,
                   s.has_stored ? &s.stored : nullptr,
                   s.machine_unit,
                   &s.settings,
@@ -197,10 +197,10 @@ Session& with_settings(Session& s) {
 
 }  // namespace
 
-Interpretation::Interpretation(Session& session, cl::Sink sink)
+Interpretation::Interpretation(Session& session, cl::Sink sink, std::optional<interp::Listener> listener)
     : session_(with_settings(session)),
       parts_(session),
-      machine_(*session.main, parts_.environment, session.stacks, sink, session.diagnostics) {}
+      machine_(*session.main, parts_.environment, session.stacks, sink, session.diagnostics, listener) {}
 
 interp::Outcome Interpretation::finish() {
     Session& s = session_;
@@ -216,8 +216,8 @@ interp::Outcome Interpretation::finish() {
     return outcome;
 }
 
-interp::Outcome interpret(Session& s, cl::Sink sink) {
-    Interpretation run(s, sink);
+interp::Outcome interpret(Session& s, cl::Sink sink, std::optional<interp::Listener> listener) {
+    Interpretation run(s, sink, listener);
     while (run.step()) {
     }
     return run.finish();

@@ -41,7 +41,7 @@ struct Request {
     /// program's variables does not count for it.
     std::optional<std::string> text{};
     shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
-    bool canon = false;         ///< settings are told, and the machine stands at its zero at the start
+    bool stand_alone = false;   ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
 };
 
 struct Session {
@@ -70,8 +70,8 @@ struct Session {
     std::map<std::string, std::string> settings;  ///< of the control, "SECTION/KEY" in capitals
     double machine_unit = 1;                      ///< mm of a length of 1 in its tables
     bool has_stored = false;
-    bool spindle_goes_on = false;  ///< through a tool change, as the configuration says
-    bool canon = false;
+    bool spindle_goes_on = false;   ///< through a tool change, as the configuration says
+    bool stand_alone = false;       ///< as the request says
     bool for_these_values = false;  ///< as the request says
     bool has_job = false;
     std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
@@ -97,7 +97,7 @@ public:
 /// The main program interpreted to `sink`, step by step; both must outlive it.
 class Interpretation {
 public:
-    Interpretation(Session& session, cl::Sink sink);
+    Interpretation(Session& session, cl::Sink sink, std::optional<interp::Listener> listener = {});
     /// Makes the next statement; false where the run has ended.
     bool step() { return machine_.step(); }
     /// Once, behind the last step: what is left of the stream, and what only the whole run tells.
@@ -109,8 +109,8 @@ private:
     interp::Machine machine_;
 };
 
-/// Interprets the main program to `sink`.
-interp::Outcome interpret(Session& session, cl::Sink sink);
+/// Interprets the main program to `sink`; `listener` hears what the control is told.
+interp::Outcome interpret(Session& session, cl::Sink sink, std::optional<interp::Listener> listener = {});
 
 /// What the job or the command line says cannot be used, which only the run could tell (exit code 2).
 [[nodiscard]] bool refused(const Session& session);

@@ -112,9 +112,9 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
 }  // namespace
 
 void load_configuration(Session& s, const Request& request) {
-    s.canon = request.canon;
+    s.stand_alone = request.stand_alone;
     s.for_these_values = request.for_these_values;
-    if (request.canon) s.machine_unit = 25.4;
+    if (request.stand_alone) s.machine_unit = 25.4;
     bool keeps_g92 = true;
     if (const auto file = request.configuration.empty()
                               ? std::nullopt
@@ -124,7 +124,7 @@ void load_configuration(Session& s, const Request& request) {
         const double unit = set.mm_per_unit;
         keeps_g92 = set.g92_stays;
         s.spindle_goes_on = set.spindle_goes_on;
-        if (!request.canon || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
+        if (!request.stand_alone || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
         for (const shop::IniEntry& e : ini.entries)
             s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
     }

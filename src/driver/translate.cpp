@@ -82,7 +82,7 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
 
 namespace {
 
-/// The run tells its settings where the session was opened for that (Request::canon).
+/// The session was opened for it (Request::stand_alone): its calls are those of that interpreter.
 Translated translate_to_canon(Session& session) {
     Translated out;
     const auto write = [&](std::string_view text) { out.text += text; };

@@ -12,6 +12,7 @@
 
 #include "cl/record.hpp"
 #include "geom/frame.hpp"
+#include "interp/heard.hpp"
 #include "program/word.hpp"
 
 namespace obrys::interp {
@@ -125,7 +126,6 @@ struct OtherSpindles {
 };
 
 /// X Y Z A B C U V W; mm or degrees.
-using Axes = std::array<double, 9>;
 [[nodiscard]] inline std::string axis_name(std::size_t axis) { return std::string(1, "XYZABCUVW"[axis]); }
 
 /// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.

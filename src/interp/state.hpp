@@ -22,6 +22,7 @@
 #include "interp/block_words.hpp"
 #include "interp/call_state.hpp"
 #include "interp/cycle_state.hpp"
+#include "interp/heard.hpp"
 #include "interp/interp.hpp"
 #include "interp/machine_state.hpp"
 #include "interp/modes.hpp"
@@ -182,6 +183,7 @@ struct Telling : Reckoning {
     cl::Record record;
 
     cl::Sink sink;                           ///< takes the records
+    std::optional<Listener> listener;        ///< hears what the control is told
     Apart<std::unique_ptr<PathStage>> path;  ///< holds back what is to come out
 };
 

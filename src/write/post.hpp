@@ -78,7 +78,7 @@ enum class Encoding : std::uint8_t { utf8, windows_1252, ascii };
 struct Post {
     std::string name, title, control, suffix;
     bool for_mills_alone = false;  ///< it has no words for programs of lathes
-    bool is_canon = false;         ///< canonical calls (cl/canon.hpp) instead of templates
+    bool is_canon = false;         ///< canonical calls (write/canon) instead of templates
     std::string block_end;         ///< behind each block (" *")
     std::string line_end = "\n";
     Tape tape = Tape::none;                  ///< code of the punched tape; none: the text as it is

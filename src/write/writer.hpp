@@ -118,7 +118,6 @@ private:
     void event(const cl::PartEnd&) {}
     void event(const cl::CycleEnd&) {}  // of a cycle that is written by its moves
     void event(const cl::LeadEnd&) {}
-    void event(const cl::Setting&) {}  // for canonical calls alone
     void event(const cl::MachinePlace&) {}
     void event(const cl::Programmed&) {}
     void event(const cl::CycleBegin&) {}

@@ -162,7 +162,7 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->type_name("FILE");
     translate->add_flag("--accept-loss", a.accept_loss, "write the program also where something is lost or differs");
     add_same_place(*translate, a);
-    translate->callback([&a] { a.request.canon = a.to == "canon"; });  // whose calls tell settings, too
+    translate->callback([&a] { a.request.stand_alone = a.to == "canon"; });  // whose calls are those of rs274
     auto* keep = translate->add_flag(
         "--keep", a.keep, "statement by statement: parameters, expressions, branches, loops and subprograms stay");
     translate->add_option("--sets", a.sets, "--keep: prove it with so many sets of other values, too (3)")
@@ -262,7 +262,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     auto* format = c.run->add_option("--format", a.format, "text, csv or json")
                        ->check(only({"text", "csv", "json"}))
                        ->type_name("FORMAT");
-    c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves")
+    c.run->add_flag("--canon", a.request.stand_alone, "print LinuxCNC's canonical calls instead of the moves")
         ->excludes(format);
     c.run->add_flag("-q,--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");

@@ -12,8 +12,6 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 namespace {
 
 void set_feed_mode(Reckoning& run, cl::FeedMode mode) {
@@ -97,15 +95,15 @@ bool apply_mode(Calling& run, Modal m, int number) {
         case Modal::interpolation_off: set_surface(run, m); return true;
         case Modal::datum: set_datum(run, static_cast<std::uint32_t>(number)); return true;
         case Modal::feed_inverse_time:
-            tell(run, SettingKind::feed_mode, 93);
+            hear(run, heard::FeedKind{cl::FeedMode::inverse_time});
             set_feed_mode(run, cl::FeedMode::inverse_time);
             return true;
         case Modal::feed_per_minute:
-            tell(run, SettingKind::feed_mode, 94);
+            hear(run, heard::FeedKind{cl::FeedMode::per_minute});
             plain_feed(run, cl::FeedMode::per_minute);
             return true;
         case Modal::feed_per_rev:
-            tell(run, SettingKind::feed_mode, 95);
+            hear(run, heard::FeedKind{cl::FeedMode::per_rev});
             plain_feed(run, cl::FeedMode::per_rev);
             return true;
         case Modal::surface_speed_on: set_surface_speed(run, true, number); return true;

@@ -52,7 +52,7 @@ void plane_element(Moving& run, path::Element&& e, const Vec3& to, bool rapid) {
     rapid = rapid || run.block.rapid;
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
-        tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
+        hear_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
     run.free_contour = {};
     if (run.capture != nullptr)
         capture(run, e, rapid);

@@ -40,7 +40,7 @@ void extra_axis(Telling& run, const std::string& name, double value, std::uint8_
     if (std::isnan(to))
         unchecked(run, codes::unknown_value, run.here(),
                   "where axis " + name + " goes depends on a value that is not known");
-    if (rotary && k != std::string_view::npos && !run.env.tell_settings && run.offsets.reference[k] != 0)
+    if (rotary && k != std::string_view::npos && !run.env.stand_alone && run.offsets.reference[k] != 0)
         unchecked_once(run, codes::unsupported, run.here(),
                        "the zero offset of the rotary axis " + name +
                            " is not followed: it is taken to stand where the "
@@ -120,7 +120,7 @@ namespace {
 /// A block that goes home, or to a machine position, names no place in the workpiece: it does not choose the zero in
 /// which stock and part are.
 bool names_no_place(const Moving& run) {
-    if (run.moved || !keeps_offsets(run) || run.env.tell_settings) return false;
+    if (run.moved || !keeps_offsets(run)) return false;
     if (run.block.suppress == Modal::suppress_all) return true;
     if (run.block.special != Modal::home) return false;
     for (int k = 0; k < 3; ++k)
@@ -233,7 +233,7 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
-    if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) tell_inverse_feed(run, geom::length(to - at));
+    if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) hear_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
     if (!known)  // there is no corner to put them on
         for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);

@@ -10,7 +10,6 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::SettingKind;
 
 namespace {
 
@@ -125,7 +124,7 @@ void tool_length_words(Moving& run, Modal m) {
         take_tip(run);
     } else {
         tell_length_word(run, m);
-        tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+        hear(run, heard::ToolOffset{run.offsets.tool});
     }
     run.offsets.is_not_given = !by;
     // By how much the tip's place along Z has changed is not known: what was said of it is said no longer.

@@ -143,7 +143,7 @@ void judge_length(Moving& run) {
     Offsets& o = run.offsets;
     const shop::Tool* t = run.tool.data;
     const Modal m = run.modal.motion;
-    if (run.env.tell_settings) return;  // the calls of LinuxCNC's interpreter, which does not judge
+    if (run.env.stand_alone) return;  // there is no workpiece
     const bool machine = run.block.suppress != Modal::linear || run.block.special == Modal::home;
     if (run.env.machine.kind != shop::MachineKind::mill || t == nullptr || machine || run.capture != nullptr) return;
     if (m == Modal::canned_off || m == Modal::probe) return;  // a probe may be what finds the length

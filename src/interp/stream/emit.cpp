@@ -73,7 +73,7 @@ geom::Vec3 stream_origin(const Reckoning& run) {
         origin = found->second;
     else if (run.reference_datum == program::no_datum && run.traits->datum.none_is_machine_zero && !known.empty())
         origin = {};  // the machine's own zero
-    for (int k = 0; k < 3 && keeps_offsets(run) && !run.env.tell_settings; ++k)
+    for (int k = 0; k < 3 && keeps_offsets(run); ++k)
         if (is_datum_given(run, static_cast<std::size_t>(k)) && run.offsets.given[static_cast<std::size_t>(k)])
             coordinate(origin, k) = run.offsets.reference[static_cast<std::size_t>(k)];
     if (run.env.machine.datum_rotations.contains(run.reference_datum)) origin.x = origin.y = unknown_number;
@@ -149,7 +149,7 @@ void emit_datum(Telling& run) {
     const cl::Datum selected{run.modal.datum, selected_origin(run), is_none_by_word(run, run.modal.datum)};
     const bool again = selected.number == told.datum.number && selected.selected == told.datum.selected &&
                        cl::way(told.datum, selected) == geom::Vec3{};
-    if (again || run.env.tell_settings) return;
+    if (again) return;
     // Where no zero was selected before, it is taken to be that of the stream.
     const bool is_first = told.datum.number == program::no_datum && selected.number == told.first.number;
     if (!is_first) forget_places(run, told.datum.origin, selected.origin);

@@ -55,6 +55,12 @@ void PathStage::send_event(Telling& run, const cl::Record& record) {
     send(run, record);
 }
 
+void PathStage::send_kept(Telling& run, int event) {
+    if (event >= 0) return send_event(run, events_[static_cast<std::size_t>(event)]);
+    const HeardThere& there = heard_[static_cast<std::size_t>(-1 - event)];
+    if (run.listener) (*run.listener)(there.what, there.from);
+}
+
 void say_no_corner(Reckoning& run, const base::Span& where, const char* text, const char* remedy) {
     if (run.capture != nullptr) return;
     if (run.traits->corner_may_be_tangential) return assume(run, where, text, remedy);
@@ -80,7 +86,7 @@ double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
 }
 
 void PathStage::output(Telling& run, const path::Output& out) {
-    for (const int event : out.element.before) send_event(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : out.element.before) send_kept(run, event);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     Origin& origin = origins_[out.element.tag];
@@ -106,6 +112,11 @@ void PathStage::output(Telling& run, const path::Output& out) {
 
 void PathStage::hold(cl::Record record) { waiting_.push_back(keep(std::move(record))); }
 
+void PathStage::hold(Heard what, const base::Span& from) {
+    heard_.push_back({std::move(what), from});
+    waiting_.push_back(-static_cast<int>(heard_.size()));
+}
+
 void PathStage::say_open_corner(Reckoning& run) {
     const auto tag = path_.open_corner();
     if (!tag || !std::exchange(origins_[*tag].asks_corner, false)) return;
@@ -120,7 +131,7 @@ void PathStage::flush(Telling& run) {
     flushing_ = true;
     say_open_corner(run);
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
-    for (const int event : waiting_) send_event(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : waiting_) send_kept(run, event);
     waiting_.clear();
     holds_ = false;
     forget();
@@ -158,6 +169,7 @@ void PathStage::forget() {
     if (active_ || !waiting_.empty()) return;
     origins_.clear();
     events_.clear();
+    heard_.clear();
 }
 
 }  // namespace obrys::interp

@@ -27,6 +27,8 @@ public:
     void end_block(const Reckoning&);
     /// Keeps a record that must come out before the next element.
     void hold(cl::Record record);
+    /// The same of what the control is told.
+    void hold(Heard what, const base::Span& from);
     /// The block that ends compensation has been read.
     void switch_off(Telling&);
     /// Emits everything held back.
@@ -65,7 +67,13 @@ private:
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Moving&);
     void take(Moving&, path::Element&& element, const path::Setting& setting, bool rapid);
+    struct HeardThere {
+        Heard what;
+        base::Span from;
+    };
+
     void send_event(Telling&, const cl::Record& record);
+    void send_kept(Telling&, int event);
     void tell_begin(Moving&, const path::Setting& s);
     void tell_programmed(Moving&, const path::Element& e, bool rapid);
     [[nodiscard]] int keep(cl::Record&& record);
@@ -79,6 +87,7 @@ private:
     path::ContourPath path_;
     std::vector<Origin> origins_;  ///< by tag
     std::vector<cl::Record> events_;
+    std::vector<HeardThere> heard_;  ///< the first is event -1, the second -2 …
     std::vector<int> waiting_;
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;

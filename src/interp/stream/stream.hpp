@@ -9,6 +9,7 @@
 
 #include "cl/totals.hpp"
 #include "cycles/cycle.hpp"
+#include "interp/heard.hpp"
 #include "interp/values/values.hpp"
 #include "path/arc_input.hpp"
 #include "path/element.hpp"
@@ -32,6 +33,14 @@ void send_turned(Telling& run, cl::Record record, double angle, bool counted);
 void begin_offsets(Telling&);
 /// Programmed frame -> stream; also sets Offsets::total.
 [[nodiscard]] geom::Frame offset_frame(Telling&);
+/// What a zero offset is, as it stands in the control's parameters or in the job.
+struct KeptZero {
+    enum class From : std::uint8_t { nowhere, parameters, job };
+    Axes at{};
+    double turn = 0;  ///< degrees about Z
+    From from = From::nowhere;
+};
+[[nodiscard]] KeptZero kept_zero(const Reckoning&, std::uint32_t number);
 /// The active zero offset anew from its parameters.
 void load_datum(Telling&);
 /// The zero offset in force was written: it counts from here on.
@@ -53,21 +62,22 @@ void while_standing(Telling&, base::FunctionRef<void()> change);
 void note_written(Telling&, std::uint32_t parameter, const base::Span& where);
 
 // --- tell.cpp
-void tell(Telling&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
-void tell(Telling&, cl::SettingKind, int number, const Axes& values);
-void tell_tool_entry(Telling&, int place, int tool, std::initializer_list<double> values);
+/// To who listens, in its place between the records.
+void pass_on(Telling&, Heard what);
+/// Says what the control is told; nothing where nobody listens.
+template <class What>
+void hear(Telling& run, const What& what) {
+    if (run.listener) pass_on(run, what);
+}
+/// With shift and turn.
+[[nodiscard]] heard::Zero zero_in_force(const Reckoning&);
+[[nodiscard]] heard::Joining joining_in_force(const Reckoning&);
 /// What the end of the program sets back.
-void tell_end(Telling&, int m);
+void hear_end(Telling&, int m);
 /// What is in force when the run begins.
-void begin_telling(Telling&);
-/// How programmed coordinates become those of the stream.
-void tell_frame(Telling&);
-/// The path mode in force, with its tolerances.
-void tell_path_mode(Telling&);
+void hear_beginning(Telling&);
 /// How moves are joined from here on; `smoothing_words`: by G60, G64 … G645 of SINUMERIK, else by G61, G61.1, G64.
 void tell_joining(Telling&, bool smoothing_words);
-/// That the operator may change the feed of a step of a cycle or not: the cycle itself says so to everybody else.
-void tell_feed_override(Telling&, bool on);
 /// M48 … M53: what the operator may change.
 void switch_override(Telling&, cl::OverrideKind, bool on);
 

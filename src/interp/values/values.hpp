@@ -277,7 +277,7 @@ void forget_live(Reckoning&, program::SystemVariable what);
 [[nodiscard]] std::optional<double> code_in_force(const Reckoning&, program::StateQuery, double yes, double no);
 /// The program has said a word of the group.
 [[nodiscard]] bool is_said(const Reckoning&, program::ModalGroup);
-/// LinuxCNC's own interpreter, which Environment::tell_settings stands for, begins with nothing in the spindle.
+/// LinuxCNC's own interpreter, which Environment::stand_alone says, begins with nothing in the spindle.
 void begin_said(Reckoning&);
 
 // --- numbered_blocks.cpp
