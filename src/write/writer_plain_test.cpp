@@ -33,7 +33,7 @@ cl::Step any_step() {
         case 6: return cl::Tolerance{0.01 * number(0, 3), 0, cl::Filter::none};
         case 7: return cl::PathMode{static_cast<cl::PathKind>(number(0, 4))};
         case 8: return cl::Arc{{coordinate(), 1, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi};
-        case 9: return cl::ToolChange{static_cast<std::uint32_t>(number(1, 3)), 1};
+        case 9: return cl::ToolChange{static_cast<std::uint32_t>(number(1, 3)), 1, {}};
         default: {
             const double x = coordinate(), y = coordinate(), z = coordinate();
             return cl::Linear{{x, y, z}, {0, 0, 1}, number(0, 3) == 0};
@@ -88,7 +88,8 @@ RC_GTEST_PROP(Printer, LeavesOutAWordThatItsTextSaysAlready, ()) {
         if (new_y != y) wanted += " " + new_y;
         if (new_f != f || rapid) wanted += " " + new_f;
         x = new_x, y = new_y, f = new_f;
-        RC_ASSERT(printed == std::vector<std::string>{wanted});
+        const bool says = wanted.size() > 2;  // a block without a word that is asked for is none
+        RC_ASSERT(printed == (says ? std::vector<std::string>{wanted} : std::vector<std::string>{}));
     }
 }
 
