@@ -60,6 +60,13 @@ RC_GTEST_PROP(Writer, WhatHoldsIsLookedAtWhereItMayBeAnother, ()) {
     RC_ASSERT(plain.expanded == looked.expanded);
 }
 
+TEST(Writer, WhatHoldsIsWrittenBehindAnyNumberOfStraightMoves) {
+    const Written w = write(shipped("heidenhain-itnc530"),
+                            {cl::Feed{100}, cl::Linear{{1, 2, 3}}, cl::Linear{{2, 2, 3}},
+                             cl::Spindle{1000, cl::SpindleMode::rpm, 1}, cl::Linear{{3, 2, 3}}, cl::Linear{{4, 2, 3}}});
+    EXPECT_NE(w.text.find("2 L X+2\n3 TOOL CALL S1000\n4 M3\n5 L X+3\n6 L X+4\n"), std::string::npos) << w.text;
+}
+
 /// Words are left out where they would be the same text as the last of their letter, however they are found to be.
 RC_GTEST_PROP(Printer, LeavesOutAWordThatItsTextSaysAlready, ()) {
     const Post post = post_of(
