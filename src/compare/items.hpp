@@ -25,6 +25,7 @@ public:
     /// Of those before this nobody asks any more.
     [[nodiscard]] std::size_t done(std::size_t side) const { return sides_[side].next; }
     [[nodiscard]] std::size_t waiting(std::size_t side) const { return sides_[side].items->size() - done(side); }
+    [[nodiscard]] bool any_waits() const { return waiting(0) + waiting(1) != 0; }
 
 private:
     struct Side {

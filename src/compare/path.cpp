@@ -130,8 +130,7 @@ void Path::note_tool() {
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
-    if (!(length == length_there_)) at_.reset();
-    length_there_ = length;
+    if (!(length == length_there_)) at_.reset(), length_there_ = length;
     if (leads_nowhere(record.step, to)) return;
     if (to_holder_) held_ = false;
     hold();
@@ -145,7 +144,15 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         arc.sweep += next.sweep;
     } else {
         if (std::holds_alternative<cl::Arc>(record.step)) arc_from_ = at_.value_or(geom::Vec3{NAN, NAN, NAN});
-        moves.push_back({record.step, std::exchange(axes_, {}), holding_of(record.step), record.from, record.stack});
+        const bool taps = tap_ != Tap::none || std::holds_alternative<cl::Thread>(record.step);
+        const std::shared_ptr<const Holding> of_tap = taps ? holding_of(record.step) : nullptr;
+        const std::shared_ptr<const Holding>& holds = taps ? of_tap : holding_;
+        Move& move = moves.grow();
+        move.step = record.step;
+        move.axes.clear();
+        std::swap(move.axes, axes_);
+        if (move.holding != holds) move.holding = holds;
+        move.from = record.from, move.stack = record.stack;
     }
     at_ = to;
     tilts_ = false;

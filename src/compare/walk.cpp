@@ -57,6 +57,7 @@ Walk::Walk(const Path& a, const Path& b, const Tolerance& t)
             ItemPairs(Aspect::compensation, a.contours, b.contours)} {}
 
 void Walk::compare_items(bool ended) {
+    if (std::none_of(items.begin(), items.end(), [](const ItemPairs& pairs) { return pairs.any_waits(); })) return;
     std::array<bool, 2> here{};
     for (const std::size_t side : {0U, 1U}) {
         const Follower& s = sides[side];
@@ -89,7 +90,19 @@ void Walk::advance() {
     }
 }
 
+/// Whole moves, each with its counterpart, are most of what there is: nothing is copied for them.
+bool Walk::pass_alike() {
+    auto& [a, b] = sides;
+    if (a.is_begun() || b.is_begun()) return false;
+    const Move &m = a.move(), &n = b.move();
+    if (!m.axes.empty() || !n.axes.empty() || !like.steps(m.step, n.step)) return false;
+    if (m.holding != last_a_ || n.holding != last_b_) compare_holding(m, n);
+    a.pass(), b.pass();
+    return true;
+}
+
 void Walk::compare_piece() {
+    if (pass_alike()) return;
     auto& [a, b] = sides;
     const Move &m = a.move(), &n = b.move();
     const Piece p = a.piece(), q = b.piece();

@@ -51,6 +51,7 @@ struct Walk {
     std::array<ItemPairs, 3> items;
 
 private:
+    [[nodiscard]] bool pass_alike();
     void compare_piece();
     void compare_holding(const Move& a, const Move& b);
     void add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const;

@@ -35,7 +35,7 @@ Kept keep(Session& s, const rewrite::Language& language, const std::string& name
     input.angles_from_zero = !traits.angles_from_zero.empty() && s.job.machine.control.angles_from_zero.value_or(true);
     s.programs->read_called();
     out.rewritten = rewrite::rewrite(input, language, name);
-    out.translated.text = out.rewritten.text;
+    *out.translated.text = out.rewritten.text;
     return out;
 }
 

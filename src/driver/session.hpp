@@ -39,7 +39,7 @@ struct Request {
     std::shared_ptr<Folders> folders = std::make_shared<Folders>();  ///< of all inputs of a call
     /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
     /// program's variables does not count for it.
-    std::optional<std::string> text{};
+    std::shared_ptr<const std::string> text{};
     shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
     bool stand_alone = false;   ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
 };

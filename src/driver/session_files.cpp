@@ -181,8 +181,28 @@ void load_backups(Session& s, const Request& request) {
     }
 }
 
+namespace {
+
+/// A text that others hold, too: it is there once.
+class SharedText final : public base::Store {
+public:
+    explicit SharedText(std::shared_ptr<const std::string> text) : text_(std::move(text)) {}
+    [[nodiscard]] std::string_view bytes() const override { return *text_; }
+    void lay_aside(std::size_t, std::size_t) override {}
+    bool fetch(std::size_t, std::size_t) override { return false; }
+
+private:
+    std::shared_ptr<const std::string> text_;
+};
+
+std::uint32_t add_written(Session& s, const Request& request, const fs::path& path) {
+    return s.sources.add(path.string() + " (as written)", std::make_unique<SharedText>(request.text));
+}
+
+}  // namespace
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
-    const auto file = request.text ? std::optional(s.sources.add(path.string() + " (as written)", *request.text))
+    const auto file = request.text ? std::optional(add_written(s, request, path))
                                    : load(*s.storage, path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
+#include "base/memory.hpp"
 #include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
@@ -85,7 +86,7 @@ namespace {
 /// The session was opened for it (Request::stand_alone): its calls are those of that interpreter.
 Translated translate_to_canon(Session& session) {
     Translated out;
-    const auto write = [&](std::string_view text) { out.text += text; };
+    const auto write = [&](std::string_view text) { out.text->append(text); };
     cl::Recording does;
     const interp::Outcome outcome =
         print_canon(session, write, false, [&](const cl::Record& record) { does.take(record); });
@@ -94,11 +95,19 @@ Translated translate_to_canon(Session& session) {
     return out;
 }
 
+/// A text about as long as that which it is written from has its room at once: nothing is copied when it grows.
+void make_room(std::string& text, std::size_t written_from) {
+    constexpr std::size_t large = 2 * base::large_page;
+    if (written_from < large) return;
+    text.reserve(written_from + written_from / 4);
+    base::prefer_large_pages(text.data(), text.capacity());
+}
+
 /// Characters that the code of the tape does not have.
 void note_characters(Translated& out, const write::Post& post) {
     out.tape = post.tape;
     if (post.tape == write::Tape::none) return;
-    for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
+    for (const write::MissingCharacter& c : write::missing_characters(*out.text, post.tape))
         static_cast<void>(out.ledger.add(
             {write::Fate::lost,
              "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
@@ -127,7 +136,7 @@ UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t re
 void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
                   const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr) {
     write::Output output;
-    output.text = [&](std::string_view text) { out.text += text; };
+    output.text = [&](std::string_view text) { out.text->append(text); };
     output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
     if (options.files)
         output.file = [&](const std::string& file, std::string_view text) {
@@ -174,6 +183,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     if (shop::Budgets& limits = session.job.budgets; !limits.bounds_loops) limits.loop_passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
+    make_room(*out.text, session.sources[session.main != nullptr ? session.main->file : 0].text.size());
     cl::Recording does;
     std::optional<write::Magazine> magazine;
     if (post.magazine) magazine.emplace(*post.magazine);
@@ -194,6 +204,7 @@ Translated write_again(const Translated& first, const write::Post& post, const T
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
+    make_room(*out.text, first.text->size());
     write_stream(out, post, options, [&](cl::Sink sink) {
         cl::Recording::Playback stream(*out.does);
         while (stream.step(sink)) {

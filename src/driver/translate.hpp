@@ -39,7 +39,7 @@ struct UsedForm {
 
 /// What was written, and what it was written from.
 struct Translated {
-    std::string text;
+    std::shared_ptr<std::string> text = std::make_shared<std::string>();  ///< whoever runs it shares it
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
     std::shared_ptr<const cl::Recording> does;  ///< what the program does; by a post with staircases what these do

@@ -24,7 +24,8 @@ Translated translate(const Image& image, const std::string& post_name, double to
                                       [](const base::Diagnostic& d) { return d.code == base::codes::not_written; });
         if (out.proof == Proof::same && lost) out.proof = Proof::differs;
         if (proved.run != nullptr && proved.run_complains) out.messages = shown(*proved.run);
-        out.text = std::move(written.text);
+        proved.run.reset();  // which shares the text
+        out.text = std::move(*written.text);
     }
     std::vector<Message> own = shown(*session);
     out.messages.insert(out.messages.begin(), own.begin(), own.end());

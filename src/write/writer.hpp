@@ -138,6 +138,7 @@ private:
 
     // What holds, before something happens.
     void write_state();
+    [[nodiscard]] bool is_state_written() const;
     void write_all();  ///< and what waits for a move
     void write_tool();
     [[nodiscard]] bool place_tool(const cl::ToolChange& change, const std::string& what);
@@ -180,7 +181,7 @@ private:
 
     // Moves.
     void write_move(const cl::Step& step, const geom::Vec3& from);
-    void write_way(const cl::Step& step, const geom::Vec3& from);
+    void write_way(const cl::Step& step, const geom::Vec3& from, bool points_as_before);
     void drop_standing_axes();
     void print_straight(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek);
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
@@ -213,7 +214,7 @@ private:
     [[nodiscard]] bool ends_before(const Template& form, Command command) const;
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
-    void note_unsaid(Command command, const Template& form, bool rapid);
+    void note_unsaid(Command command, bool rapid);
     void note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
@@ -255,8 +256,10 @@ private:
     bool without_tool_noted_ = false;
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
     std::function<void(const FoldedBy&)> folded_;
-    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
-    Template said_;                 ///< by one of them
+    std::unique_ptr<Hooks> hooks_;                                         ///< null: the post has none
+    Template said_;                                                        ///< by one of them
+    std::array<Places, static_cast<std::size_t>(Command::count)> places_;  ///< of the post's commands
+    [[nodiscard]] const Places& places(Command c) const { return places_[static_cast<std::size_t>(c)]; }
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;
@@ -323,6 +326,7 @@ private:
     bool corner_by_moves_ = false;    ///< of the last element
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
+    bool straight_alone_ = false;     ///< since all that holds was written, nothing but straight moves has come
     bool ended_ = false;
     std::optional<cl::Record> stop_waits_;  ///< for what else its block does
 

@@ -19,6 +19,14 @@ void Writer::write_state() {
     write_path();
 }
 
+/// Of all that holds nothing is to be written any more, nor looked at again, as long as only straight moves come.
+bool Writer::is_state_written() const {
+    const motion::State& s = cursor_.state();
+    const bool with_tool = s.change.with_length && s.length.sense == 0;
+    return !tool_waits_ && !coolant_waits_ && !length_waits_ && (with_tool || s.length == length_) &&
+           s.frame.parts == frames_.parts() && s.tolerance == tolerance_ && (!s.path || s.path == path_);
+}
+
 /// The control stops the spindle by itself; `word` says it stands. Empty: it does not.
 void Writer::stop_spindle(const std::string& word) {
     if (word.empty()) return;

@@ -58,7 +58,7 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     report::Ledger ledger = ledger_of(s, t, post, target, proof, run);
     ledger.written = !refused && run != 2;
     if (shows_texts(a.ledger)) {
-        std::vector<driver::WrittenFile> outputs{{ledger.output, t.text}};
+        std::vector<driver::WrittenFile> outputs{{ledger.output, *t.text}};
         outputs.insert(outputs.end(), t.files.begin(), t.files.end());
         add_texts(ledger, t.ledger, s, std::move(outputs));
     }

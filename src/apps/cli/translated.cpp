@@ -39,7 +39,7 @@ bool deliver_all(const Target& target, const driver::Translated& t) {
         files.emplace_back(path, std::make_unique<driver::OutputFile>(path));
         files.back().second->write(t.tape == write::Tape::none ? text : write::punched(text, t.tape));
     };
-    add(target.main, t.text);
+    add(target.main, *t.text);
     for (const driver::WrittenFile& file : t.files) add(target.of(file.name), file.text);
     return std::all_of(files.begin(), files.end(), [](const auto& f) { return deliver(f.first, *f.second); });
 }

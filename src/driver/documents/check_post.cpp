@@ -101,7 +101,7 @@ std::unique_ptr<Session> read_again(const write::Post& post, const std::string& 
     auto run = std::make_unique<Session>();
     Request request;
     request.input = "SAMPLE." + post.suffix;
-    request.text = text;
+    request.text = std::make_shared<const std::string>(text);
     request.control = post.control;
     request.prints_nowhere = true;
     request.machine = write::turns(post) ? "lathe-generic" : turns_axes ? "hermle-u1130" : "mill-generic";
@@ -162,7 +162,8 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
 /// True where it has such roles: then its moves are the machine's, too.
 bool strip_unsaid(compare::Path& path, const write::Sample& sample) {
     bool stripped = false;
-    for (compare::Item& item : path.cycles) {
+    for (std::size_t i = 0; i < path.cycles.size(); ++i) {
+        compare::Item& item = path.cycles[i];
         auto* begin = std::get_if<cl::CycleBegin>(&item.step);
         if (begin == nullptr) continue;
         cl::Cycle cycle = *begin->cycle;
