@@ -18,8 +18,8 @@ namespace {
 constexpr const char* no_do = "write that do as while and endwhile";
 
 void say(Saying& run, const std::string& text, const char* remedy) {
-    unchecked(run, codes::unsupported, run.here(),
-              text + ": a fault of LinuxCNC's own (2.9, 2.10; its issue 1307), which is followed here", remedy);
+    unchecked(run, codes::unsupported, run.here(), text + ": a fault of the control's own, which is followed here",
+              remedy);
 }
 
 const program::Branch& branch_of(const Unit& unit, std::uint32_t statement) {
@@ -30,7 +30,7 @@ const program::Branch& branch_of(const Unit& unit, std::uint32_t statement) {
 void end_passes(Calling& run, std::uint32_t opener, std::uint32_t behind) {
     run.marks.left.erase({&run.unit(), opener});
     if (!std::exchange(run.marks.passed, false)) return go_on_at(run, behind);
-    say(run, "LinuxCNC counts the passes of this repeat once more, as it remembers a continue of a do before it",
+    say(run, "the control counts the passes of this repeat once more, as it remembers a continue of a do before it",
         no_do);
     go_back(run, opener);
 }
@@ -54,7 +54,7 @@ void leave_loop(Calling& run, const program::Jump& j) {
     const bool remembered = std::exchange(marks.passed, false);
     if (j.leaves == program::Leaves::while_pass || !remembered) return go_on_at(run, j.target);
     say(run,
-        "LinuxCNC does not leave the while with this break but asks its condition again, as it remembers a continue "
+        "the control does not leave the while with this break but asks its condition again, as it remembers a continue "
         "of a do before it",
         no_do);
     go_back(run, branch_of(run.unit(), j.target - 1).target);
@@ -68,7 +68,7 @@ void pass_over(Calling& run, const program::Branch& b) {
 bool ends_do(Calling& run, bool done) {
     if (!std::exchange(run.marks.broke, false) || done) return done;
     say(run,
-        "LinuxCNC does not repeat this do though its condition holds, as it remembers a break before it, or passed "
+        "the control does not repeat this do though its condition holds, as it remembers a break before it, or passed "
         "over one on the way to the end of a loop",
         no_do);
     return true;
@@ -81,7 +81,7 @@ void begin_remembered_repeat(Calling& run, const program::Branch& b, std::uint32
     if (run.stopped) return;
     if (!is_new)
         unchecked(run, codes::unsupported, run.here(),
-                  "LinuxCNC goes on counting this repeat where a return or an outer call has left it, and so does "
+                  "the control goes on counting this repeat where a return or an outer call has left it, and so does "
                   "obrys: passes left here: " +
                       std::to_string(at->second),
                   "let it come to its end, or write while and endwhile with a counter");
@@ -104,8 +104,8 @@ bool owns_label(Calling& run, const program::Branch& opener, std::uint32_t index
     const Unit& unit = run.unit();
     const base::Span first = unit.span(unit.statements[at->second], unit.words[unit.statements[at->second].first]);
     alarm(run, codes::syntax, run.here(),
-          "the label of this line belongs to the structure of line " + std::to_string(run.env.sources.position(first).line) +
-              ", where this run has come by",
+          "the label of this line belongs to the structure of line " +
+              std::to_string(run.env.sources.position(first).line) + ", where this run has come by",
           "give this one a label of its own");
     return false;
 }
