@@ -103,7 +103,7 @@ private:
     [[nodiscard]] std::uint32_t bar_of(double radius);
     void queue_bar(const geom::Straight& way, const MilledMove& move);
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
-    [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
+    [[nodiscard]] bool is_above(const geom::PathElement& element, double height) const;
     void queue_clamps(const geom::PathElement& element);
     void queue_rapid(const Move& move, const MilledMove& m, const geom::PathElement& way,
                      const motion::Stand::View& view, const std::vector<shop::ToolPose>& swing);

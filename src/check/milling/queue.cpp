@@ -86,9 +86,10 @@ void Milling::queue_if_bent(geom::Vec3 from, const std::vector<geom::Vec3>& corn
     if_bent_ = true;
     for (const geom::Vec3& to : corners) {
         const geom::Straight way{from, to};
+        from = to;
+        if (clamps_.empty() && is_above(way, 0)) continue;
         queue_pass(QueuedPass::Kind::rapid_probe, milling::Part::cutting, false, way);
         queue_body(way);
-        from = to;
     }
     if_bent_ = false;
 }
@@ -176,7 +177,7 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
 /// What does not cut, and all of the tool against the clamps.
 void Milling::queue_body(const geom::PathElement& element) {
     if (tool_parts_.shank) queue_pass(QueuedPass::Kind::shank, milling::Part::shank, false, element);
-    if (tool_parts_.holder && !holder_is_above(element))
+    if (tool_parts_.holder && !is_above(element, tool_parts_.holder_from))
         queue_pass(QueuedPass::Kind::holder, milling::Part::holder, false, element);
     queue_clamps(element);
 }
@@ -213,14 +214,15 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
     }
 }
 
-/// Above all that there is, wherever the straight or level way leads: nothing to look for.
-bool Milling::holder_is_above(const geom::PathElement& element) const {
+/// What of the tool begins so high above its tip is above all that there is, wherever the straight or level way leads:
+/// nothing to look for.
+bool Milling::is_above(const geom::PathElement& element, double height) const {
     const geom::Vec3 from = geom::point_at(element, 0), to = geom::point_at(element, 1);
     const auto* circle = std::get_if<geom::Circular>(&element);
     const double size = geom::length(axis_);
     const bool level = circle != nullptr && geom::length(geom::cross(circle->normal, axis_)) <= 1e-12 * size;
     if (!level && !std::holds_alternative<geom::Straight>(element)) return false;
-    const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + tool_parts_.holder_from;
+    const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + height;
     return milling::heights_along(axis_, {all_.lo, all_.hi}).high / size < low;
 }
 
