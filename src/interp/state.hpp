@@ -210,9 +210,19 @@ struct WatchedLoop {
     std::uint64_t passes = 0;  ///< without having left it
 };
 
+/// What the run remembers of loops (calls/loop_marks.cpp).
+struct LoopMarks {
+    using Place = std::pair<const Unit*, std::uint32_t>;
+    bool broke = false, passed = false;     ///< by a break, by a continue
+    std::map<Place, std::uint64_t> left;    ///< passes of repeat_count statements, the one being run not counted
+    std::map<Place, std::uint32_t> labels;  ///< statement that has taken Branch::same_label
+};
+
 /// Calls of programs, loops and ends.
 struct Calling : Moving {
     using Moving::Moving;
+
+    LoopMarks marks;
 
     ModalCall modal_call;
     WatchedLoop watched;

@@ -58,6 +58,7 @@ struct Traits {
     /// programmed last.
     bool polar_from_position = false;
     DatumNames datum{};
+    Rapids rapids{};
     /// Machine coordinates in a program are those of the spindle's gauge point; else of the tip.
     bool machine_words_are_gauge_point = false;
     /// Assignments of a block take effect together, behind the last expression of the block: `#1=2 X#1` has the old #1.
@@ -173,6 +174,11 @@ struct Traits {
     bool helix_lead_across = false;
     /// Setting the position (G92) in G91 adds to the coordinates; else they become what the block says.
     bool position_adds_in_increments = false;
+    /// A break, a continue and the passes left of a repeat are remembered until the end of a loop asks for them, which
+    /// may be another loop (interp/calls/loop_marks.cpp).
+    bool loops_remember = false;
+    /// Programs one in another, the main program counted, beyond which the control stops; 0: the job's budget says it.
+    std::uint32_t call_levels = 0;
     /// Called programs one in another that every series of the control takes; 0: they all take the same.
     std::uint32_t common_call_levels = 0;
     /// Axis words beside the word that takes such shifts back (G92.1 X0) name its axes; else they are a way.

@@ -74,6 +74,8 @@ static_assert(sizeof(Statement) == 12);
 struct Branch {
     ExprId condition = no_expr;
     std::uint32_t target = no_target;
+    bool has_break = false;        ///< of while_: a break of it stands before its end
+    std::uint32_t same_label = 0;  ///< a number that structures of one label share; 0: no other one has it
 };
 
 struct For {
@@ -89,11 +91,15 @@ enum class JumpDirection : std::uint8_t {
     start,
     again  ///< as `either`; back in a program that nobody called it would repeat that without end (M99 P)
 };
+/// What a jump out of a structure leaves there (Traits::loops_remember).
+enum class Leaves : std::uint8_t { nothing, while_, do_, while_pass, do_pass };
 struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
     ExprId destination = no_expr;      ///< text (a label or N number) or a string variable; unused for start
     std::uint32_t target = no_target;  ///< the statement, where the reader knows it already
+    Leaves leaves = Leaves::nothing;
+    bool has_break = false;  ///< of a pass that is left: a break of the loop stands between here and its end
 };
 
 struct CaseArm {

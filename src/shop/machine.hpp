@@ -31,8 +31,9 @@ struct MachineAxis {
     geom::Vec3 centre;  ///< of a rotary axis: a point of its line, machine coordinates with all axes at 0
 };
 
-/// How axes that start a rapid move together end it: all at once, or each at its own rapid, so that the path bends.
-enum class RapidPath : std::uint8_t { straight, dog_leg };
+/// How axes that start a rapid move together end it: all at once, or each at its own rapid, so that the path bends;
+/// `either`: a setting that is not known decides.
+enum class RapidPath : std::uint8_t { straight, dog_leg, either };
 
 struct MachineSpindle {
     double min = 0, max = std::numeric_limits<double>::infinity();  ///< 1/min; infinite: not limited
@@ -62,8 +63,8 @@ struct Machine {
     /// Axes that move workpiece and tool against each other, as indices, from the workpiece to the tool:
     /// shop/kinematics.hpp.
     std::vector<std::size_t> chain;
-    RapidPath rapid_path = RapidPath::straight;
-    bool more_axes = false;  ///< axes it does not list are taken for granted (the machine was not named)
+    std::optional<RapidPath> rapid_path;  ///< not said: as the control does it
+    bool more_axes = false;               ///< axes it does not list are taken for granted (the machine was not named)
     MachineSpindle spindle;
     double max_feed = 0, min_feed = 0;                   ///< mm/min; 0 = not limited
     double tool_change_time = 0;                         ///< s

@@ -114,6 +114,7 @@ OF_ONE = {
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
     "bit TOS of parameter": ["fanuc"],  # Traits::length_word_setting
     "bit CCC of parameter": ["fanuc"],  # Traits::outer_corner_setting
+    "bit LRP of parameter": ["fanuc"],  # Traits::rapids
     "bit CIR of parameter": ["fanuc"],
     " does not apply: this control begins with radii": ["linuxcnc"],
     "write G7 in the program": ["linuxcnc"],

@@ -156,6 +156,9 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.own_functions = t.passed_functions = accepted_fanuc_m(haas);
     t.pitch_along = program::PitchAlong::farthest_axis;
     if (haas) t.kept = haas_kept;
+    // FANUC B-63944EN, 4.1 "Positioning (G00)"; Haas: setting 335, linear rapid mode (docs/dialects/fanuc.md).
+    if (haas) t.rapids = {program::RapidWay::each_axis, "setting 335 = NONE"};
+    if (!haas) t.rapids = {program::RapidWay::by_setting, "bit LRP of parameter 1401 = 0"};
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
     if (!haas) t.angles_from_zero = "bit NAT of parameter 6004 = 0";     // operator's manual, custom macro, arithmetic
     if (!haas) t.alarms.circle_compensates = "34";

@@ -89,6 +89,7 @@ std::uint32_t computed_target(Reckoning& run, const program::Jump& j) {
 void jump(Calling& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
+    if (j.leaves != program::Leaves::nothing) return leave_loop(run, j);
     if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty())
         return end_of_pass(run, j, 0);
     if (j.direction == program::JumpDirection::start) {
