@@ -29,6 +29,7 @@
 #include "interp/selected_zero.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
+#include "path/element.hpp"
 #include "program/modal_group.hpp"
 
 namespace obrys::interp {
@@ -195,8 +196,8 @@ struct Moving : Telling {
     PlainKinds plain_kinds;
     CannedState canned;
     ControlCurve curve;
-    geom::Vec3 last_spline_end;  ///< P and Q of the last G5, mm
-    geom::Vec2 last_direction;   ///< of the last move in the working plane, for CT
+    geom::Vec3 last_spline_end;         ///< P and Q of the last G5, mm
+    path::EndDirection last_direction;  ///< of the last move in the working plane, for CT
     SolvedContour free_contour;
     std::map<std::string, base::Span> underway;            ///< axes that POSA has sent, and nothing waited for yet
     std::array<std::array<double, 7>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid

@@ -102,15 +102,20 @@ void run_by_kind(Cycling& run, const Statement& s, std::uint32_t index) {
     }
 }
 
-}  // namespace
-
-void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
-    settle_motion(run);
-    if (begins_plain(run, s) && runs_plain_block(run, s, index)) return;
-    const bool keeps = run.plain_kinds.any && keeps_plain_kinds(run, s, index);
+/// Any other than a plain block.
+void run_other(Cycling& run, const Statement& s, std::uint32_t index) {
+    if (run.plain_kinds.any && runs_assignments(run, s, index)) return;
+    const bool keeps = run.plain_kinds.any && keeps_plain_kinds(s);
     if (!keeps) run.plain_kinds.forget();
     run_by_kind(run, s, index);
     if (!keeps) run.plain_kinds.forget();  // of blocks that it has run itself
+}
+
+}  // namespace
+
+void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
+    if (run.block.motion_behind) settle_motion(run);
+    if (!begins_plain(run, s) || !runs_plain_block(run, s, index)) run_other(run, s, index);
 }
 
 }  // namespace obrys::interp

@@ -40,23 +40,26 @@ void end_of_section(Moving& run) {
     if (done.finishing != nullptr) end_finishing(run, done);
 }
 
+/// Nothing is left of the program at hand.
+void end_of_text(RunState& run) {
+    const Activation& act = run.top();
+    run.plain_kinds.forget();
+    const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
+    if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
+    if (run.stopped) return;
+    if (run.calls.size() == 1) flush_path(run);
+    const bool ends = run.calls.size() == 1 && run.traits->text_end_ends_program && run.statement != nullptr;
+    if (ends) emit(run, cl::Stop{cl::StopKind::end});
+    leave(run);
+}
+
 }  // namespace
 
 void step(RunState& run) {
     Activation& act = run.top();
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;
-    if (act.pc >= act.unit->statements.size()) {
-        run.plain_kinds.forget();
-        const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
-        if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
-        if (run.stopped) return;
-        if (run.calls.size() == 1) flush_path(run);
-        const bool ends = run.calls.size() == 1 && run.traits->text_end_ends_program && run.statement != nullptr;
-        if (ends) emit(run, cl::Stop{cl::StopKind::end});
-        leave(run);
-        return;
-    }
+    if (act.pc >= act.unit->statements.size()) return end_of_text(run);
     if (act.pc == 0 && !act.is_text && !act.unit->unbegun.empty()) say_missing_beginning(run);
     const std::uint32_t index = act.pc++;
     const program::Statement& s = act.unit->statements[index];

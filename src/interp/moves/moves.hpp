@@ -59,6 +59,9 @@ void departure(Moving& run, const program::Special& s, Modal compensation_before
 [[nodiscard]] bool says_centre_across(Moving& run);
 [[nodiscard]] path::ArcResult planar_arc(Moving& run, geom::Vec2 from, geom::Vec2 to, bool end_given,
                                          const PlaneAxes& a, double rise);
+/// What nearly all arcs are: G2 or G3 from a known place to another, with a centre in the plane and no other word of a
+/// circle. Nothing of it is other than by planar_arc; a failure where it is none of these, or what it asks for fails.
+[[nodiscard]] path::ArcResult usual_arc(const Moving& run, geom::Vec2 from, geom::Vec2 to, const PlaneAxes& a);
 
 // --- line_angle.cpp
 /// ANG= (line_angle.cpp): `to` with what the angle says; false after a complaint.

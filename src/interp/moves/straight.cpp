@@ -85,16 +85,10 @@ void refuse_way_round(Saying& run, int axis) {
 geom::Vec3 cartesian_target(Moving& run) {
     const BlockWords& b = run.block;
     geom::Vec3 to = run.programmed_position;
-    const ModalState& m = run.modal;
-    const bool as_written = m.absolute && !m.inch_geometry && m.diameter == DiameterMode::off;
     for (int k = 0; k < 3; ++k) {
         const Code code = axis_code(k);
         if (!b.has(code)) continue;
         const std::uint8_t reference = b.ref(code);
-        if (as_written && reference == 0) {
-            coordinate(to, k) = b.get(code);
-            continue;
-        }
         const bool incremental = is_incremental(run, reference);
         const double factor = reference == 0 ? length_factor(run, k, incremental) : word_factor(run, k, reference);
         const double v = b.get(code) * factor;
@@ -110,7 +104,32 @@ geom::Vec3 cartesian_target(Moving& run) {
 
 }  // namespace
 
+namespace {
+
+/// The block's coordinates are the place, as the program writes them: absolute, in millimetres, none of them a
+/// diameter.
+bool is_place_as_written(const Moving& run) {
+    const BlockWords& b = run.block;
+    const ModalState& m = run.modal;
+    if (!m.absolute || m.inch_geometry || m.diameter != DiameterMode::off || run.look == Look::turned_subprogram ||
+        (b.present & polar_words) != 0)
+        return false;
+    for (const Code c : {Code::x, Code::y, Code::z})
+        if (b.has(c) && b.ref(c) != 0) return false;
+    return true;
+}
+
+}  // namespace
+
 geom::Vec3 programmed_target(Moving& run) {
+    if (is_place_as_written(run)) {
+        const BlockWords& b = run.block;
+        geom::Vec3 to = run.programmed_position;
+        if (b.has(Code::x)) to.x = b.get(Code::x);
+        if (b.has(Code::y)) to.y = b.get(Code::y);
+        if (b.has(Code::z)) to.z = b.get(Code::z);
+        return to;
+    }
     const geom::Vec3 to = cartesian_target(run);
     return (run.block.present & polar_words) != 0 ? polar_target(run, to) : to;
 }
@@ -184,12 +203,7 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
     const auto start = [&](int k) {
         return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000;
     };
-    path::Element e;
-    e.from = {start(a.u), start(a.v)};
-    e.to = {coordinate(to, a.u), coordinate(to, a.v)};
-    e.w_from = start(a.w);
-    e.w_to = coordinate(to, a.w);
-    return e;
+    return {{start(a.u), start(a.v)}, in_plane(to, a), start(a.w), coordinate(to, a.w), {}, 0, 0, {}};
 }
 
 }  // namespace
@@ -208,10 +222,11 @@ namespace {
 /// is not known hides others, and behind a change of tools one that has not been said anew looks as though it had been.
 void tell_said(Moving& run) {
     std::array<bool, 3>& unsaid = run.unsaid_since_change;
+    const bool shows = run.frame_is_identity || geom::is_finite(run.position);
+    if (shows && unsaid == std::array<bool, 3>{}) return;
     for (int k = 0; k < 3; ++k)
         if (run.block.has(axis_code(k))) unsaid[static_cast<std::size_t>(k)] = false;
-    const bool is_hidden = !run.frame_is_identity && !geom::is_finite(run.position);
-    if (!is_hidden && unsaid == std::array<bool, 3>{}) return;
+    if (shows && unsaid == std::array<bool, 3>{}) return;
     if (!geom::is_invertible(run.frame)) return;
     const geom::Vec3 seen = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
     cl::MachinePlace place{cl::PlaceKind::frame};
@@ -239,13 +254,13 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
         for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
-        if (step.x != 0 || step.y != 0) run.last_direction = step;
-        run.free_contour = {};
+        if (step.x != 0 || step.y != 0) run.last_direction = path::EndDirection(step);
+        if (run.free_contour.at_hand) run.free_contour = {};
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
         tell_said(run);
         const std::array<bool, 3> unsaid = run.unsaid_since_change;
-        emit_line(run, cl::Linear{run.position, run.tool_axis, rapid});
+        emit_line(run, rapid);
         run.unsaid_since_change = unsaid;
         return;
     }

@@ -14,10 +14,14 @@ namespace codes = base::codes;
 
 namespace {
 
-/// The run's record goes out, from where the run is.
-void send_record(Telling& run) {
+/// The run's record comes from where the run is.
+void place_record(Telling& run) {
     run.record.from = run.along != nullptr ? run.along->where : run.here();
     run.record.stack = run.along != nullptr ? run.along->stack : run.top().stack;
+}
+
+void send_record(Telling& run) {
+    place_record(run);
     if (run.path->holds() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else
@@ -32,10 +36,16 @@ void emit(Telling& run, cl::Step step) {
     send_record(run);
 }
 
-void emit_line(Telling& run, cl::Linear line) {
+void emit_line(Telling& run, bool rapid) {
     if (run.capture != nullptr) return;
-    put_step(run.record.step, std::move(line));
-    send_record(run);
+    cl::Linear& line = step_as<cl::Linear>(run.record.step);
+    line.to = run.position;
+    line.axis = run.tool_axis;
+    line.rapid = rapid;
+    line.seek = cl::Seek::nothing;
+    line.ends.clear();
+    place_record(run);
+    send_plain(run, run.record);
 }
 
 void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {

@@ -12,9 +12,14 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
+cl::Record& PathStage::next_event() {
+    if (event_count_ == events_.size()) events_.emplace_back();
+    return events_[event_count_];
+}
+
 int PathStage::keep(cl::Record&& record) {
-    events_.push_back(std::move(record));
-    return static_cast<int>(events_.size()) - 1;
+    next_event() = std::move(record);
+    return static_cast<int>(event_count_++);
 }
 
 int PathStage::feed_event(const Reckoning& run, double feed) {
@@ -67,14 +72,6 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
     unchecked(run, codes::unsupported, where, text, remedy);
 }
 
-void PathStage::end_block(const Reckoning& run) {
-    if (run.modal.compensation == Modal::compensation_off)
-        idle_blocks_ = 0;
-    else if (!block_moved_)
-        ++idle_blocks_;
-    block_moved_ = false;
-}
-
 /// The path's radius by that of the contour, where the feed is to hold at the cutting edge; else 1.
 double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
     if (origin.feed_reference == Modal::feed_at_tool || out.kind != path::Kind::contour || !path::is_arc(out.element))
@@ -90,11 +87,13 @@ void PathStage::output(Telling& run, const path::Output& out) {
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     Origin& origin = origins_[out.element.tag];
-    cl::AxisEnds later = std::exchange(run.ends, std::exchange(origin.ends, {}));
+    const bool takes_along = !run.ends.empty() || !origin.ends.empty();
+    cl::AxisEnds later;
+    if (takes_along) later = std::exchange(run.ends, std::exchange(origin.ends, {}));
     run.record.from = origin.from;
     run.record.stack = origin.stack;
     run.feed_shape.plunge = origin.plunge_part;
-    run.feed_shape.arc = arc_feed(origin, out);
+    if (run.feed_shape.on) run.feed_shape.arc = arc_feed(origin, out);
     const auto emit_one = [&](const path::Element& e) { emit_element(run, e, origin.rapid, origin.fixed_plane); };
     last_ = out.element.to;
     if (out.kind == path::Kind::transition && !run.traits->outer_corner_setting.empty() &&
@@ -107,7 +106,7 @@ void PathStage::output(Telling& run, const path::Output& out) {
         emit_one(out.element);
     else
         for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
-    run.ends = std::move(later);
+    if (takes_along) run.ends = std::move(later);
 }
 
 void PathStage::hold(cl::Record record) { waiting_.push_back(keep(std::move(record))); }
@@ -167,9 +166,11 @@ void PathStage::switch_off(Telling& run) {
 void PathStage::forget() {
     active_ = !path_.idle();
     if (active_ || !waiting_.empty()) return;
+    constexpr std::size_t many = 1024;  // events: so many are kept to be filled again, and no more
     origins_.clear();
-    events_.clear();
     heard_.clear();
+    event_count_ = 0;
+    if (events_.size() > many) events_.clear();
 }
 
 }  // namespace obrys::interp

@@ -129,22 +129,29 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
     return run.frame_is_identity ? v : geom::apply(run.frame, v);
 }
 /// By how much the radii of a programmed arc may differ.
-[[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
+[[nodiscard]] inline path::ArcTolerance arc_tolerance(const Reckoning& run) {
+    const program::Traits& t = *run.traits;
+    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
+    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
+}
 /// Of the working plane, in the stream's frame, as frames turn it.
 [[nodiscard]] geom::Vec3 plane_normal(const Reckoning&);
 /// Elements of the working plane as moves of the stream.
 class PlaneView {
 public:
     /// `in_stream`: the elements are in the stream's frame, not in the programmed one.
-    explicit PlaneView(const Reckoning&, bool in_stream = false);
+    explicit PlaneView(const Reckoning& run, bool in_stream = false)
+        : run_(run), axes_(plane_axes(run.modal.plane)), as_it_is_(in_stream || run.frame_is_identity) {}
     /// A point of the plane in the stream's frame.
     [[nodiscard]] geom::Vec3 at(geom::Vec2 p, double w) const {
         const geom::Vec3 v = in_space(axes_, p, w);
         return as_it_is_ ? v : geom::apply(run_.frame, v);
     }
-    [[nodiscard]] cl::Linear line(const path::Element&, bool rapid) const;
-    /// Nothing where scaling leaves no circle of it.
-    [[nodiscard]] std::optional<cl::Arc> arc(const path::Element&, bool rapid) const;
+    void line(const path::Element&, bool rapid, cl::Linear& out) const;
+    /// False where scaling leaves no circle of it; `out` is as it was then.
+    [[nodiscard]] bool arc(const path::Element&, bool rapid, cl::Arc& out) const;
+    /// What a circle of the plane stands square to; nothing where scaling leaves no circle of one.
+    [[nodiscard]] std::optional<geom::Vec3> normal_of_circle() const;
 
 private:
     const Reckoning& run_;
@@ -158,17 +165,22 @@ void lead_to_place(Telling&);
 [[nodiscard]] bool compensates_in_fixed_plane(const Telling&);
 
 // --- emit.cpp
-/// Most records are followed by one of their kind: then there is nothing to take apart.
+/// The step as one of this kind, to be filled. Most records are followed by one of their kind: then there is nothing to
+/// take apart, and it holds what it held.
+template <class T>
+T& step_as(cl::Step& step) {
+    if (T* last = std::get_if<T>(&step)) return *last;
+    return step.emplace<T>();
+}
+/// The same, of one that is there already.
 template <class T>
 void put_step(cl::Step& step, T&& next) {
     static_assert(!std::is_reference_v<T>, "what is put in goes over");
-    if (T* last = std::get_if<T>(&step))
-        *last = std::move(next);
-    else
-        step = std::move(next);
+    step_as<T>(step) = std::move(next);
 }
 void emit(Telling&, cl::Step step);
-void emit_line(Telling&, cl::Linear);  ///< the same, of a straight move
+/// A straight move to where the tool stands now, as radius compensation has not made it.
+void emit_line(Telling&, bool rapid);
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Telling&);
