@@ -40,8 +40,9 @@ struct Request {
     /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
     /// program's variables does not count for it.
     std::optional<std::string> text{};
-    shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
-    bool canon = false;         ///< settings are told, and the machine stands at its zero at the start
+    shop::GivenValues given{};   ///< of `text`: in the place of [variables] of the job
+    bool keeps_remarks = false;  ///< what the programmer has written for people goes into the stream
+    bool canon = false;          ///< settings are told, and the machine stands at its zero at the start
 };
 
 struct Session {

@@ -15,14 +15,6 @@ constexpr std::size_t most_seen = 8;              ///< texts that are looked bac
 constexpr std::ptrdiff_t most_forms = 16;         ///< subprograms that one part may come to
 constexpr std::size_t longest_name = 20;          ///< characters that every control takes
 
-std::string encoded(std::string text, Encoding encoding) {
-    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
-    if (encoding == Encoding::utf8 || std::none_of(text.begin(), text.end(), beyond)) return text;
-    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
-    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
-    return text;
-}
-
 bool is_same(const Note& a, const Note& b) { return a.fate == b.fate && a.from == b.from && a.what == b.what; }
 
 std::vector<std::string_view> words_of(std::string_view block) {
@@ -43,6 +35,14 @@ void shift_into(std::vector<Note>& to, const std::vector<Note>& notes, std::uint
 }
 
 }  // namespace
+
+std::string encoded(std::string text, Encoding encoding) {
+    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
+    if (encoding == Encoding::utf8 || std::none_of(text.begin(), text.end(), beyond)) return text;
+    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
+    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
+    return text;
+}
 
 Layout::Layout(const Post& post, const std::string& name, Output output) : post_(post), output_(std::move(output)) {
     if (output_.file && post_.own_file)

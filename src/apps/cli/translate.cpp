@@ -87,6 +87,7 @@ static bool opened(const Arguments& a, driver::Session& s) {
 int translate(const Arguments& arguments) {
     Arguments a = arguments;
     a.into_folder = is_folder(a.output);
+    a.request.keeps_remarks = a.to != "canon";
     driver::Session s;
     if (!opened(a, s)) return 2;
     const std::optional<write::Post> post =
