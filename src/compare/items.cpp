@@ -48,8 +48,13 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
         for (Side& s : sides_) ++s.next, s.at.pop_front();
     }
     for (const std::size_t side : {0U, 1U})
-        if (!over_ && is_lone(side, reached) && !(reached.ended && !needs_end(like, side) && is_quiet_end(side)))
-            add_lone(side, found);
+        if (!over_ && is_lone(side, reached)) {
+            const bool quiet = reached.ended && !needs_end(like, side) && is_quiet_end(side);
+            if (!quiet)
+                add_lone(side, found);
+            else if (!like.is_written_from_a())
+                add_unsaid_end(side, found);
+        }
     if (over_) drop();
 }
 
@@ -75,6 +80,18 @@ void ItemPairs::add_lone(std::size_t side, Found& found) {
     else
         found.add(aspect_, static_cast<const Item*>(nullptr), &item, item.moves,
                   "the other has " + words(item.step) + ", too");
+}
+
+/// The machine stands still in both; what M30 does besides (the program from its beginning, reset) is said by one
+/// alone.
+void ItemPairs::add_unsaid_end(std::size_t side, Found& found) const {
+    if (found.has(aspect_)) return;
+    const Item& item = sides_[side].head();
+    const Item* const none = nullptr;
+    found.add(aspect_, side == 0 ? &item : none, side == 0 ? none : &item, item.moves,
+              side == 0 ? "the end of the program, which the other does not say"
+                        : "the other says the end of the program, this one does not");
+    found.all.back().is_done = false;
 }
 
 void ItemPairs::compare_pair(const Likeness& like, Found& found) {

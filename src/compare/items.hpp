@@ -37,6 +37,7 @@ private:
     void compare_pair(const Likeness& like, Found& found);
     void compare_state(const Likeness& like, Found& found) const;
     void add_lone(std::size_t side, Found& found);
+    void add_unsaid_end(std::size_t side, Found& found) const;
     [[nodiscard]] bool is_quiet_end(std::size_t side) const;
     [[nodiscard]] bool is_lone(std::size_t side, const Reached& reached) const;
     void drop();

@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "program/names.hpp"
+#include "program/remarks.hpp"
 #include "program/unit.hpp"
 #include "shop/machine.hpp"
 
@@ -22,6 +23,7 @@ struct Language {
                                        const shop::Machine* machine);
     /// 0 to 100; `signs`, where it is not null, gets the words of the text that speak for it.
     int (*likelihood)(std::string_view text, std::string_view file_name, std::vector<std::string>* signs);
+    program::RemarkSigns remarks{};  ///< none where the reader itself puts them into the tree
 };
 
 struct Control {

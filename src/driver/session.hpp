@@ -40,8 +40,9 @@ struct Request {
     /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
     /// program's variables does not count for it.
     std::shared_ptr<const std::string> text{};
-    shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
-    bool stand_alone = false;   ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
+    shop::GivenValues given{};   ///< of `text`: in the place of [variables] of the job
+    bool stand_alone = false;    ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
+    bool keeps_remarks = false;  ///< what the programmer has written for people goes into the stream
 };
 
 struct Session {

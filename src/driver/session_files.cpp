@@ -214,6 +214,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const Control* control = choose_control(s, request, *file, told ? std::optional(lathe) : std::nullopt);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);
+    if (request.keeps_remarks) s.programs->keep_remarks();
     s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);

@@ -1,6 +1,7 @@
 #include "driver/translate.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "base/codes.hpp"
 #include "base/memory.hpp"
@@ -77,7 +78,8 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
-    d.text = file + "line " + std::to_string(note.line) + ": " + write::sentence_of(note);
+    if (note.line != 0) d.text = file + "line " + std::to_string(note.line) + ": ";
+    d.text += write::sentence_of(note);
     return d;
 }
 
@@ -160,6 +162,31 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
     note_characters(out, post);
 }
 
+bool has_remarks(const Session& s) {
+    const auto has = [](const auto& unit) { return !unit->remarks.empty(); };
+    return s.programs != nullptr && std::any_of(s.programs->units().begin(), s.programs->units().end(), has);
+}
+
+/// Remarks of statements that no run comes to, or from which nothing of its own comes.
+void note_missing_remarks(Translated& out, const Session& session) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> written;
+    cl::Recording::Playback stream(*out.does);
+    const auto take = [&](const cl::Record& record) {
+        if (std::holds_alternative<cl::Comment>(record.step)) written.emplace(record.from.file, record.from.begin);
+    };
+    while (stream.step(take)) {
+    }
+    for (const auto& unit : session.programs->units())
+        for (const program::Remark& remark : unit->remarks) {
+            write::Note note;
+            note.fate = write::Fate::expanded;
+            note.what = "a comment of what is not run, or of a contour,";
+            note.from = unit->span(unit->statements[remark.statement]);
+            note.instead = "is left out";
+            if (written.emplace(note.from.file, note.from.begin).second) static_cast<void>(out.ledger.add(note));
+        }
+}
+
 /// The post has no word for that.
 void lose_beginning_anew(Session& session, Ledger& ledger) {
     write::Note note;
@@ -214,6 +241,7 @@ Translated write_again(const Translated& first, const write::Post& post, const T
 }
 
 void tell(Session& session, Translated& translated) {
+    if (translated.stairs.empty() && has_remarks(session)) note_missing_remarks(translated, session);
     for (const Ledger::Entry& entry : translated.ledger.entries())
         if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
     add_not_understood(translated.ledger, session, translated.ending);

@@ -89,6 +89,7 @@ struct ModalState {
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
     bool pole_set = false;         ///< the program has set it
+    int pole_plane = 0;            ///< 17, 18, 19: of its coordinates, where that is not the working plane; else 0
     // What nobody has said is not as a control begins: it holds what the program before has left.
     std::uint32_t groups_said = 0;  ///< bit per program::ModalGroup of which the program has said a word
     bool feed_said = false, mist_said = false, flood_said = false;  ///< F; M7, M8 or M9

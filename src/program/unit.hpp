@@ -272,6 +272,12 @@ struct Ignored {
     std::uint32_t count = 1;
 };
 
+/// What the programmer has written for people, before the statement before or beside which it stands.
+struct Remark {
+    std::uint32_t statement = 0;
+    std::string text;
+};
+
 /// What spoke for a kind of machine where the reader has taken one from the text (GuessedMachine::mill, lathe).
 struct MachineSigns {
     std::vector<base::Span> lathe, mill;  ///< words of the text
@@ -320,6 +326,7 @@ struct Unit {
     std::vector<Named> named;
     std::vector<Problem> problems;
     std::vector<Ignored> ignored;
+    std::vector<Remark> remarks;  ///< in order of their statements; none where nobody asks for them
     /// Lengths without a decimal point that are read as less than 1 mm (least input increments), in order: places of
     /// the text from the number's begin to its end. And how many lengths have a point.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> small_lengths;
@@ -335,6 +342,8 @@ struct Unit {
     [[nodiscard]] base::Span span(const Statement& s) const { return {file, s.begin, s.begin + s.length}; }
     [[nodiscard]] base::Span span(const Statement& s, const Word& w) const;
     [[nodiscard]] base::Span span(ExprId e) const { return {file, exprs[e].begin, exprs[e].end}; }
+    /// What stands before a statement.
+    [[nodiscard]] std::span<const Remark> remarks_of(std::uint32_t statement) const;
     /// Room for the tree of so many bytes of text, so that it need not be moved while it grows. It is memory of the
     /// machine only where the tree comes to fill it.
     void reserve(std::size_t bytes);

@@ -35,7 +35,7 @@ constexpr std::array known_tables{
         "jump-not-equal jump-greater jump-less if else end-if while end-while "
         "repeat until again loop end-loop break call argument call-shared return end stop optional-stop alarm message "
         "comment "
-        "repeat-section begin-anew"},
+        "repeat-section begin-anew by-reference"},
     KnownTable{
         "words",
         "rapid linear machine-rapid machine-linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move "
@@ -137,6 +137,25 @@ std::string lines_of(Section& s, std::string_view key) {
     return joined;
 }
 
+/// How texts are written; the tables are the post's.
+void read_texts(Section& file, Language& l) {
+    base::Diagnostics of_the_post;
+    if (const shop::Entry* e = file.sub_table("text")) {
+        Section s(e->value, "[text]", of_the_post);
+        l.comments = write::comment_rules(s);
+    }
+    if (const shop::Entry* e = file.sub_table("file")) {
+        Section s(e->value, "[file]", of_the_post);
+        l.encoding = write::encoding_of(s);
+    }
+    if (const shop::Entry* e = file.sub_table("path")) {
+        Section s(e->value, "[path]", of_the_post);
+        for (const std::string_view key : {"exact", "exact-stop", "free"})
+            if (const std::string text = lines_of(s, key); !text.empty() && text.find('{') == std::string::npos)
+                l.texts["path." + std::string(key)] = text;
+    }
+}
+
 void read_table(Section& file, const KnownTable& known, Language& l) {
     const shop::Entry* entry = file.sub_table(known.table);
     if (entry == nullptr) return;
@@ -199,6 +218,7 @@ std::optional<Language> read_language(std::uint32_t file, const base::Sources& s
         read_cycle_program(s, l);
     }
     for (const shop::Value* table : section.tables("datum")) read_zeros(*table, l);
+    read_texts(section, l);
     for (const base::Diagnostic& d : own.all()) diagnostics.add(d);
     if (own.has_errors()) return std::nullopt;
     if (l.has("expressions.assign") && l.has("flow.end")) return l;

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/comment.hpp"
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/cycle.hpp"
@@ -61,6 +62,8 @@ struct Language {
     bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
     int step = 0;               ///< of block numbers; 0: blocks have none
     std::vector<Zeros> zeros;   ///< as translations by motion write them; none: the control has one
+    base::CommentRules comments;
+    write::Encoding encoding = write::Encoding::utf8;
     std::vector<Pool> global, local;
     LocalPlace local_place = LocalPlace::program;
     std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103
@@ -71,6 +74,7 @@ struct Language {
         const auto found = texts.find(key);
         return found == texts.end() ? nullptr : &found->second;
     }
+    [[nodiscard]] std::string text_or_none(std::string_view key) const { return has(key) ? *find(key) : std::string(); }
     std::map<cl::CycleKind, CycleProgram> cycles;
 
     [[nodiscard]] const CycleProgram* cycle(cl::CycleKind kind) const {

@@ -87,6 +87,7 @@ void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
     for (std::uint32_t i = first; i < end; ++i) {
         const bool elsewhere = only_inline && !inline_.contains(i);
         if (!elsewhere) borders(i);
+        if (structured_ && structured_->only_jumped_to.contains(i)) continue;
         if (elsewhere && !is_structure(u.statements[i].kind)) continue;
         at = i;
         here = u.span(u.statements[i]);
@@ -178,6 +179,7 @@ void Writing::jump(const std::string& label) {
 
 void Writing::statement(std::uint32_t i) {
     const program::Statement& s = unit->statements[i];
+    remarks(i);
     if ((s.flags & program::skip_mask) != 0)
         return refuse(here, "a block that can be skipped (/) is not translated by structure",
                       "use IF with a parameter of its own");

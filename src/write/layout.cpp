@@ -27,14 +27,6 @@ bool is_ascii(std::string_view s) {
     return (any & 0x8080808080808080u) == 0;
 }
 
-/// A text with bytes beyond ASCII, in the characters of the control.
-std::string encoded(std::string text, Encoding encoding) {
-    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
-    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
-    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
-    return text;
-}
-
 bool is_same(const Note& a, const Note& b) { return a.fate == b.fate && a.from == b.from && a.what == b.what; }
 
 std::vector<std::string_view> words_of(std::string_view block) {
@@ -55,6 +47,14 @@ void shift_into(std::vector<Note>& to, const std::vector<Note>& notes, std::uint
 }
 
 }  // namespace
+
+std::string encoded(std::string text, Encoding encoding) {
+    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
+    if (encoding == Encoding::utf8 || std::none_of(text.begin(), text.end(), beyond)) return text;
+    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
+    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
+    return text;
+}
 
 Layout::Layout(const Post& post, const std::string& name, Output output) : post_(post), output_(std::move(output)) {
     if (output_.file && post_.own_file)

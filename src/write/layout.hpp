@@ -29,6 +29,9 @@ struct Output {
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
 };
 
+/// A text in UTF-8 as the control has it; ? for what it does not have.
+[[nodiscard]] std::string encoded(std::string text, Encoding encoding);
+
 class Layout {
 public:
     /// `name` of the program. `post` outlives this.

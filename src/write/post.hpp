@@ -10,10 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "base/comment.hpp"
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/record.hpp"
 #include "shop/files/document.hpp"
+#include "shop/files/section.hpp"
 #include "write/commands.hpp"
 #include "write/functions.hpp"
 #include "write/hooks.hpp"
@@ -103,6 +105,7 @@ struct Post {
         change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
     bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
     bool length_moves = false;       ///< its words alone may move the tool by its length: they stand beside Z
+    bool plane_by_centre = false;    ///< an arc lies in that of its centre's two coordinates, without a word for it
     bool plane_returns = false;      ///< to that of X and Y behind what asks for another one
     std::string stop_stops_spindle;  ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
@@ -110,13 +113,10 @@ struct Post {
     std::vector<std::string> kept_in_cycles;  ///< letters of words that stay in force within a series of cycles
     bool rise_before_cycle_end = false;  ///< the way up between two cycles stands before the word that ends the first
     bool corner_in_block = true;         ///< of the element; else a block of its own behind it
-    bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone
-    bool comment_holds_quotes = true;    ///< a text may hold "
-    bool comment_holds_brackets = true;  ///< a comment may hold ( and )
+    base::CommentRules comments;         ///< and other texts
     std::string function_letters;        ///< of functions that the control has; empty: all
     std::vector<FunctionNumbers> functions_refused;     ///< the control would take them for nothing, or something else
     std::vector<FunctionNumbers> functions_with_speed;  ///< beside which the speed stands
-    std::size_t longest_comment = 0;                    ///< 0: as long as it is
     std::optional<HookText> lua;                        ///< functions that are asked before the templates
     std::set<Command> hooked;                           ///< what it has functions for
     std::set<cl::CycleKind> hooked_cycles;
@@ -126,6 +126,10 @@ struct Post {
     [[nodiscard]] bool has(Command c) const { return !(*this)[c].empty() || hooked.count(c) != 0; }
     [[nodiscard]] NamedStyles named_styles() const { return {grammar.style_names, styles}; }
 };
+
+/// Of [text] and [file] of a post.
+[[nodiscard]] base::CommentRules comment_rules(shop::Section& text);
+[[nodiscard]] Encoding encoding_of(shop::Section& file);
 
 /// Loads a file that a post names, at the place that names it; nothing, with a complaint, where it is not there.
 using LoadText = std::function<std::optional<std::uint32_t>(const std::string& name, const base::Span& where)>;

@@ -145,24 +145,17 @@ private:
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "tool") post_.length_moves = s.boolean("length_moves").value_or(false);
             if (name == "plane") post_.plane_returns = s.boolean("returns").value_or(false);
+            if (name == "plane") post_.plane_by_centre = s.boolean("by_centre").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.raises_to_retract_plane = s.boolean("raises_first").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
             if (name == "cycles") post_.kept_in_cycles = s.texts("keeps");
-            if (name == "file")
-                post_.encoding =
-                    static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
+            if (name == "file") post_.encoding = encoding_of(s);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") read_inheritance(s);
             if (name == "function") read_functions(s, post_);
-            if (name == "text") {
-                post_.comment_is_plain = s.boolean("plain").value_or(false);
-                post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);
-                post_.comment_holds_brackets = s.boolean("holds_brackets").value_or(true);
-                if (const auto n = s.integer("longest", 1, 10'000))
-                    post_.longest_comment = static_cast<std::size_t>(*n);
-            }
+            if (name == "text") post_.comments = comment_rules(s);
             s.finish();
         }
     }
@@ -271,6 +264,20 @@ private:
 };
 
 }  // namespace
+
+base::CommentRules comment_rules(Section& s) {
+    base::CommentRules rules;
+    rules.plain = s.boolean("plain").value_or(false);
+    rules.holds_quotes = s.boolean("holds_quotes").value_or(true);
+    rules.holds_brackets = s.boolean("holds_brackets").value_or(true);
+    rules.active = s.texts("active");
+    if (const auto n = s.integer("longest", 1, 10'000)) rules.longest = static_cast<std::size_t>(*n);
+    return rules;
+}
+
+Encoding encoding_of(Section& file) {
+    return static_cast<Encoding>(file.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
+}
 
 std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
                               const LoadText& load) {

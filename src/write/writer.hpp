@@ -236,7 +236,6 @@ private:
     void set_values(const HoleWay& way, const geom::Vec3& at);
 
     void print_lead();
-    void clean(std::string& text) const;
     bool print(Command command, std::string_view what, bool rapid = false);
     Printed put(Command command, const Parts& parts, std::string_view what, bool moves = false);
     [[nodiscard]] const Template* form_of(Command command, std::string_view what);

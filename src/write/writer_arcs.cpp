@@ -129,8 +129,11 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
     if (!is_normal_noise(normal)) return write_arc_in_space(arc, from, corner);
     const bool outside_xy = std::abs(normal.z) < 0.5;
-    if (outside_xy && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
-        return note(Fate::lost, "an arc outside of the plane of X and Y: the post has no words for its plane");
+    const bool rises = std::abs(geom::dot(arc.to - from, arc.normal)) > 1e-9;
+    const bool by_centre = post_.plane_by_centre && !rises && !is_compensating_;
+    if (outside_xy && !by_centre && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
+        return note(Fate::lost, std::string(rises ? "a helix" : "an arc") +
+                                    " outside of the plane of X and Y: the post has no words for its plane");
     select_plane(normal);
     const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
     const double sense = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1);

@@ -140,19 +140,6 @@ void Writer::event(const cl::ToolData& data) {
     print(Command::tool_data, "what a tool is");
 }
 
-/// Characters that would end the comment, or that the control does not have.
-void Writer::clean(std::string& text) const {
-    text = base::as_utf8(text);
-    for (char& c : text) {
-        if (!post_.comment_holds_brackets) c = c == '(' ? '<' : c == ')' ? '>' : c;
-        if (!post_.comment_holds_quotes && c == '"') c = '\'';
-        if (c == '\n' || c == '\r') c = ' ';
-        if (!post_.comment_is_plain) continue;
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-        if (c < ' ' || c > 'Z' || c == '%') c = c == '<' || c == '>' ? c : ' ';
-    }
-}
-
 void Writer::event(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
@@ -162,12 +149,15 @@ void Writer::event(const cl::Comment& comment) {
         return note_at(std::move(left_out));
     }
     if (comment.message) write_all();  // it stands before the stop that it is for
-    std::string text = comment.text;
-    if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");
-    clean(text);
+    std::string text = base::comment_text(comment.text, post_.comments);
+    if (post_.encoding != Encoding::utf8) text = base::without_marks(text, post_.encoding == Encoding::windows_1252);
+    if (comment.message && command == Command::comment) {
+        Note shown{Fate::expanded, "a message", {}, 0, 0};
+        shown.instead = "is a comment there";
+        note_at(std::move(shown));
+    }
     if (post_.encoding == Encoding::windows_1252 && base::utf8_to_cp1252(text, '?') != base::utf8_to_cp1252(text, '_'))
         note(Fate::expanded, "a comment, with ? for characters that Windows-1252 has not,");
-    base::cut_utf8(text, post_.longest_comment);
     values_.set(Text::text, text);
     print(command, "a comment");
 }

@@ -72,6 +72,7 @@ OF_ONE = {
     "G94 and G95 end the constant": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # G96
     "write G96 behind them": ["sinumerik", "linuxcnc", "fanuc", "haas"],
     "L (orientation of a lathe tool)": ["linuxcnc"],  # G41.1 L
+    "end radius compensation (R0)": ["heidenhain"],  # a pole outside of the working plane (CC X Z)
     "write G40 before it": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # Traits::compensation_holds_plane, compensation_holds_move
     "G4 says neither": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # cycle 9 of HEIDENHAIN is another statement
     "the dwell of G4": ["sinumerik", "linuxcnc", "fanuc", "haas"],

@@ -51,6 +51,7 @@ struct Arguments {
     bool job = false;                   ///< of sheet: all programs together, too
     std::vector<std::string> map;       ///< of compare: "R3=Q3"
     std::string other;                  ///< of compare: what `request.input` is held against
+    std::string control_a, control_b;   ///< of compare: of one of both alone
     std::string job_file;               ///< of compare: for both programs
     double same_place = 1e-4;           ///< of compare, mm
     bool in_place = false;              ///< of fmt: write the files

@@ -197,6 +197,10 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
         ->type_name("A=B")
         ->allow_extra_args(false)
         ->take_all();
+    const std::string controls = shop::joined(driver::controls());
+    compare->add_option("--control-a", a.control_a, "control of the first program alone: " + controls)
+        ->type_name("NAME");
+    compare->add_option("--control-b", a.control_b, "control of the other one alone")->type_name("NAME");
     compare->add_option("--ledger", a.ledger, "the same for all of them: what translate --keep has written beside B")
         ->type_name("FILE");
     return compare;

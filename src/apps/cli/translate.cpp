@@ -66,8 +66,7 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     if (refused)
         std::fputs("obrys: nothing is written, since something is lost or differs; --accept-loss writes it\n", stderr);
     if (!may_write_all(a, s, target, t, a.ledger)) return 2;
-    const bool written = (!ledger.written || deliver_all(target, t)) && deliver_ledger(a.ledger, ledger);
-    if (!written || (s.files != nullptr && s.files->failed()) || run == 2) return 2;
+    if (!deliver_all(target, t, a.ledger, ledger) || (s.files != nullptr && s.files->failed()) || run == 2) return 2;
     if (refused) return 1;
     return run == 3 || proof.proof == driver::Proof::not_compared ? 3 : run == 1 || lost ? 1 : 0;
 }
@@ -87,6 +86,7 @@ static bool opened(const Arguments& a, driver::Session& s) {
 int translate(const Arguments& arguments) {
     Arguments a = arguments;
     a.into_folder = is_folder(a.output);
+    a.request.keeps_remarks = a.to != "canon";
     driver::Session s;
     if (!opened(a, s)) return 2;
     const std::optional<write::Post> post =

@@ -87,8 +87,7 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
     const bool beside = a.ledger.empty() && ledger.written && !driver::is_standard_output(target.main);
     const std::string path = beside ? driver::ledger_beside(target.main) : a.ledger;
     if (!may_write_all(a, s, target, kept.translated, path)) return 2;
-    const bool written = (!ledger.written || deliver_all(target, kept.translated)) && deliver_ledger(path, ledger);
-    if (!written || s.files->failed() || run == 2) return 2;
+    if (!deliver_all(target, kept.translated, path, ledger) || s.files->failed() || run == 2) return 2;
     if (refused) return run == 3 ? 3 : 1;
     return run == 3 ? 3 : std::max({run, code_of(proof), lost ? 1 : 0});
 }

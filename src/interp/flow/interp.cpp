@@ -68,6 +68,9 @@ void step(RunState& run) {
         (index < run.watched.first || index > run.watched.last || run.calls.size() != run.watched.depth))
         run.watched.depth = 0;
     const bool passed_over = s.flags != 0 && skipped(run, s);
+    if (!passed_over && !act.unit->remarks.empty())
+        for (const program::Remark& remark : act.unit->remarks_of(index))
+            emit(run, cl::Comment{remark.text, false, false});
     if (!passed_over && !act.unit->modes.spans.empty() && runs_read_again(run, index)) return;
     if (run.stopped) return;
     if (s.flags != 0) {
