@@ -206,6 +206,7 @@ void Writer::note_unknown(const geom::Vec3& from, const cl::Linear& line) {
     const geom::Vec3& to = line.to;
     const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
     const bool points_as_before = std::exchange(pointed_, line.axis) == line.axis;
+    if (std::exchange(counts_anew_, false)) return;
     const bool nowhere = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z) && axes_.empty() && points_as_before;
     if (nowhere || leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
         note(Fate::lost, "a move to a coordinate that is not known");
@@ -225,6 +226,7 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
     if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
+    counts_anew_ = (!axes_turn && turns_with_plane(step)) || is_turned_by_control(step);
     coolant_may_wait_ =
         line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
     // The spindle of a tap reverses by itself.
