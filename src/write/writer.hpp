@@ -291,7 +291,8 @@ private:
         std::optional<double> about{};  ///< mm before the tip: what stays there; nothing: the linear axes stand
         bool is_written = false;        ///< the words of the plane have done it
     };
-    bool counts_anew_ = false;             ///< with another plane the rotary axes count otherwise; nothing moves
+    bool turned_by_control_ = false;  ///< the axes have turned by words of the plane: where the tip is, nobody knows
+    bool counts_anew_ = false;        ///< with another plane the rotary axes count otherwise; nothing moves
     std::optional<geom::Vec3> taken_up_;   ///< normal of the tilted plane to which the text has turned the rotary axes
     std::optional<PlaneTurn> plane_turn_;  ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say

@@ -148,6 +148,7 @@ void Writer::write_frame() {
         const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
         const bool printed = print(command, what, turning && (!plane_turn_ || plane_turn_->rapid));
         if (turning && plane_turn_) plane_turn_->is_written = printed;
+        turned_by_control_ = turned_by_control_ || (step.part.turn.by_control && printed);
         if (step.part.turn.by_control && !turning)
             note(Fate::lost, "that the control turns the rotary axes to the tilted plane");
         if (step.command == Command::plane)

@@ -225,6 +225,8 @@ void Writer::note_direction(const geom::Vec3& axis) {
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
+    const Source& frame_block = topics_[static_cast<std::size_t>(Topic::frame)];
+    const bool with_plane = now_ != nullptr && frame_block == Source{now_->from, now_->stack};
     if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
     counts_anew_ = (!axes_turn && turns_with_plane(step)) || is_turned_by_control(step);
     coolant_may_wait_ =
@@ -236,7 +238,8 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     if (!taps || !tap_returns_) write_state();
     spindle_ready_ = false;
     coolant_may_wait_ = false;
-    printer_.stand_at(frames_.programmed(from));
+    const bool nowhere_known = !with_plane && std::exchange(turned_by_control_, false);
+    printer_.stand_at(nowhere_known ? geom::Vec3{NAN, NAN, NAN} : frames_.programmed(from));
     write_way(step, from);
     printer_.stand_at({NAN, NAN, NAN});
     if (coolant_waits_) write_coolant();  // the move had no block
