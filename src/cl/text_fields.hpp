@@ -239,6 +239,7 @@ void fields(Io& io, Of<Io, Frame>& s) {
         io.flag_is("seq+", p.turn.side, std::int8_t{1});
         io.flag_is("seq-", p.turn.side, std::int8_t{-1});
         io.flag("table", p.turn.table_turns);
+        io.flag("turns", p.turn.by_control);
     });
 }
 

@@ -1,5 +1,6 @@
 #include "compare/path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -91,9 +92,21 @@ bool Path::goes_on(const cl::Record& record) const {
 }
 
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
-/// nothing moves yet.
+/// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     const auto* line = std::get_if<cl::Linear>(&step);
+    const auto& parts = cursor_.state().frame.parts;
+    const bool by_control =
+        tilts_ && std::any_of(parts.begin(), parts.end(), [](const cl::FramePart& p) { return p.turn.by_control; });
+    const bool unknown = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z);
+    const bool rapid = line != nullptr && line->rapid && line->seek == cl::Seek::nothing;
+    // With another plane the axes count otherwise, and nobody knows the tip's place in it; the next move tells them.
+    const bool axes_stand = std::all_of(axes_.begin(), axes_.end(), [&](const cl::AxisEnd& axis) {
+        const auto at = stands_.find(axis.name);
+        return at != stands_.end() && near(at->second.to, axis.to, same_place_);
+    });
+    if (rapid && tilts_ && unknown && !axes_.empty() && axes_stand) return true;
+    if (by_control && rapid && unknown && axes_.empty()) return true;
     if (line == nullptr || line->seek != cl::Seek::nothing || !at_ || !axes_.empty() || !near(*at_, to, same_place_))
         return false;
     return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
@@ -131,7 +144,10 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
     if (!(length == length_there_)) at_.reset(), length_there_ = length;
-    if (leads_nowhere(record.step, to)) return;
+    if (leads_nowhere(record.step, to)) {
+        tilts_ = tilts_ && !std::isnan(to.x);  // one such step a plane: the next one to nobody knows where is a move
+        return;
+    }
     if (to_holder_) held_ = false;
     hold();
     if (std::exchange(to_holder_, false)) held_ = false;

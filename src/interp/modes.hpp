@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cl/record.hpp"
@@ -28,6 +29,14 @@ struct Transform {
     geom::Frame frame;
     int axis = -1;         ///< of mirror images that each axis has of its own (centred.cpp)
     cl::PlaneTurn turn{};  ///< of tilted planes
+};
+
+/// What a tilted plane still wants of the rotary axes.
+enum class PlaneWait : std::uint8_t {
+    none,
+    for_axes,  ///< a word of its own is to turn them to it (G53.1)
+    ended,     ///< none is in force any more: how they count from here on goes with the next move
+    lost       ///< the plane was not run
 };
 
 /// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
@@ -58,7 +67,11 @@ struct ModalState {
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
-    Modal last_sense = Modal::linear;   ///< of the last arc; linear: none yet
+    PlaneWait plane_waits = PlaneWait::none;
+    geom::Vec3 tip_before_end;  ///< on the workpiece, where the last plane has ended
+    std::pair<std::uint32_t, std::string> tool_before_plane{0, {}};
+    geom::Vec3 axis_before_plane{0, 0, 1};  ///< of the tool, before the last tilted plane or its end
+    Modal last_sense = Modal::linear;       ///< of the last arc; linear: none yet
     bool cartesian_path = false;        ///< the path function in force takes no polar coordinates (DIN/ISO G00 … G06)
     Modal paraxial = Modal::paraxial;   ///< G43, G44 of DIN/ISO: paraxial_longer, paraxial_shorter; paraxial: neither
     Modal before_cycle = Modal::rapid;  ///< motion that the hole cycle in force took the place of

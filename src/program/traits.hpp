@@ -185,6 +185,11 @@ struct Traits {
     bool position_reset_names_axes = false;
     /// The unit of length (G20, G21) is said before the first move and may not change behind it.
     bool unit_before_motion = false;
+    /// Of two positions for a tilted plane the rotary axes go to the one whose first axis (that carries the other one;
+    /// the table's before the head's) has the shorter way, then the second one, then whose first one stands nearer to
+    /// 0; else to the one with the shorter way of all. Source: FANUC 16i/18i-MB operator's manual, tool axis direction
+    /// control, "Angle of rotation axis".
+    bool first_rotary_axis_decides = false;
     /// The first tool in the spindle says which axis it lies along (TOOL CALL 1 Z).
     bool first_tool_says_axis = false;
     /// G28 and G30 end the compensation of the tool's length.

@@ -62,7 +62,10 @@ Usual usual_style(Value v) {
         case Value::angle:
         case Value::angle_x:
         case Value::angle_y:
-        case Value::angle_z: return Usual::angle;
+        case Value::angle_z:
+        case Value::euler_1:
+        case Value::euler_2:
+        case Value::euler_3: return Usual::angle;
         case Value::factor_x:
         case Value::factor_y:
         case Value::factor_z: return Usual::factor;

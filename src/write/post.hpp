@@ -102,12 +102,14 @@ struct Post {
     std::map<cl::CycleKind, std::vector<CycleForm>> cycles;
     std::optional<BlockNumbers> numbers;
     std::string
-        change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
-    bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
-    bool length_moves = false;       ///< its words alone may move the tool by its length: they stand beside Z
-    bool plane_by_centre = false;    ///< an arc lies in that of its centre's two coordinates, without a word for it
-    bool plane_returns = false;      ///< to that of X and Y behind what asks for another one
-    std::string stop_stops_spindle;  ///< the same of stops of the program
+        change_stops_spindle;      ///< the word that is in force behind a tool change (M5); empty: none comes into it
+    bool repeats_tool = false;     ///< a tool that is in the spindle already is called again
+    bool length_moves = false;     ///< its words alone may move the tool by its length: they stand beside Z
+    bool plane_is_whole = false;   ///< a tilted plane is said with the shifts and turns around it as one where need be
+    bool plane_anew = false;       ///< always so; it ends before another one is set, and the axes turn to each anew
+    bool plane_by_centre = false;  ///< an arc lies in that of its centre's two coordinates, without a word for it
+    bool plane_returns = false;    ///< to that of X and Y behind what asks for another one
+    std::string stop_stops_spindle;         ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
     bool raises_to_retract_plane = false;   ///< before cycles, where the tool stands below it, and before it moves over
     std::vector<std::string> kept_in_cycles;  ///< letters of words that stay in force within a series of cycles

@@ -144,6 +144,8 @@ private:
                 post_.most_tapping_speed = s.number("most_tapping", shop::Range::positive).value_or(0);
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "tool") post_.length_moves = s.boolean("length_moves").value_or(false);
+            if (name == "frame") post_.plane_is_whole = s.boolean("plane_is_whole").value_or(false);
+            if (name == "frame") post_.plane_anew = s.boolean("plane_anew").value_or(false);
             if (name == "plane") post_.plane_returns = s.boolean("returns").value_or(false);
             if (name == "plane") post_.plane_by_centre = s.boolean("by_centre").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);

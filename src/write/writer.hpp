@@ -166,8 +166,9 @@ private:
     [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
+    [[nodiscard]] bool is_turned_by_control(const cl::Step& step) const;
     [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
-    [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
+    [[nodiscard]] std::optional<Command> turning_form(const FrameStep& step) const;
     void write_spindle(const cl::Spindle& s);
     void ready_spindle(const cl::Thread& tap);
     void await_coolant();
@@ -291,7 +292,10 @@ private:
         std::optional<double> about{};  ///< mm before the tip: what stays there; nothing: the linear axes stand
         bool is_written = false;        ///< the words of the plane have done it
     };
-    std::optional<PlaneTurn> plane_turn_;      ///< while it is being written
+    bool turned_by_control_ = false;  ///< the axes have turned by words of the plane: where the tip is, nobody knows
+    bool counts_anew_ = false;        ///< with another plane the rotary axes count otherwise; nothing moves
+    std::optional<geom::Vec3> taken_up_;   ///< normal of the tilted plane to which the text has turned the rotary axes
+    std::optional<PlaneTurn> plane_turn_;  ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
     std::string called_;                       ///< the last cycle without its place

@@ -208,6 +208,7 @@ void Writer::note_unknown(const geom::Vec3& from, const cl::Linear& line) {
     const geom::Vec3& to = line.to;
     const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
     const bool points_as_before = std::exchange(pointed_, line.axis) == line.axis;
+    if (std::exchange(counts_anew_, false)) return;
     const bool nowhere = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z) && axes_.empty() && points_as_before;
     if (nowhere || leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
         note(Fate::lost, "a move to a coordinate that is not known");
@@ -226,7 +227,10 @@ void Writer::note_direction(const geom::Vec3& axis) {
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
+    const Source& frame_block = topics_[static_cast<std::size_t>(Topic::frame)];
+    const bool with_plane = now_ != nullptr && frame_block == Source{now_->from, now_->stack};
     if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
+    counts_anew_ = (!axes_turn && turns_with_plane(step)) || is_turned_by_control(step);
     coolant_may_wait_ =
         line != nullptr && !place_ && places(line->rapid ? Command::rapid : Command::linear).has(Part::coolant);
     // The spindle of a tap reverses by itself.
@@ -237,7 +241,8 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     if (!stands && (!taps || !tap_returns_)) write_state();
     spindle_ready_ = false;
     coolant_may_wait_ = false;
-    printer_.stand_at(frames_.programmed(from));
+    const bool nowhere_known = !with_plane && std::exchange(turned_by_control_, false);
+    printer_.stand_at(nowhere_known ? geom::Vec3{NAN, NAN, NAN} : frames_.programmed(from));
     const bool straight = line != nullptr && !place_ && axes_.empty();
     const bool points_as_before = stands && line->axis == pointed_;
     write_way(step, from, points_as_before);

@@ -176,6 +176,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.position_reset_names_axes = true;
     if (!haas) t.common_call_levels = 4;  // four to ten by series (cnc.wiki, "Writing and calling subprograms")
     t.unit_before_motion = true;
+    t.first_rotary_axis_decides = !lathe;
     t.begins_as_lathe = lathe;
     t.assumes_rest_of_centre = !haas;
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;

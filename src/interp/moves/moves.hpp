@@ -46,6 +46,8 @@ void capture(Moving&, const path::Element& element, bool rapid);
 void extra_axes(Moving&);
 /// Before a move: datum, feed that was dropped.
 void begin_motion(Moving&);
+/// Before the first move in a tilted plane whose rotary axes a word of its own turns: that it has done so (plane.cpp).
+void judge_plane_taken_up(Moving&);
 void require_feed(Telling&);
 /// Straight move to `to` (programmed frame).
 void straight_motion(Moving&, const geom::Vec3& to, bool rapid);
@@ -114,6 +116,8 @@ void plane(Moving&, const program::Special&);
 /// Tells the stream where the rotary axes stand that the program has moved, whether that counts, and the tool's axis
 /// where it is another than before: by a rapid on the spot, since arcs do not say it.
 void tell_rotary(Telling&, const geom::Vec3& axis_before);
+/// The rotary axes as they stand go with the next move, but those of these letters.
+void take_rotary_along(Telling&, std::string_view without);
 /// How the tool stood before the plane changed, seen from the workpiece, and what MOVE says besides.
 struct BeforeSwivel {
     geom::Vec3 tip, axis;

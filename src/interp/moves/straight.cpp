@@ -185,6 +185,7 @@ void say_unknown_way(Telling& run) {
 void begin_motion(Moving& run) {
     if (names_no_place(run)) return;
     run.moved = true;
+    judge_plane_taken_up(run);
     emit_frame(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
     if (!run.datum_known && !run.datum_complained && !goes_by_machine(run)) say_unknown_way(run);
