@@ -208,6 +208,8 @@ std::vector<Renamed> Naming::all() const {
         out.push_back({numbered ? program::parameter_name(*traits_, id) : names_.text(id), to,
                        unit != nullptr ? unit->name : ""});
     }
+    // By program, not as their units happen to lie in memory.
+    std::stable_sort(out.begin(), out.end(), [](const Renamed& a, const Renamed& b) { return a.program < b.program; });
     return out;
 }
 

@@ -43,7 +43,7 @@ cl::Step any_step() {
 
 Post shipped(const std::string& name) { return post_of(std::string(shipped_post(name)->text)); }
 
-/// A setting is for canonical calls alone: a post writes nothing of it, but behind it all that holds is looked at.
+/// The end of a lead writes nothing, but behind it all that holds is looked at.
 RC_GTEST_PROP(Writer, WhatHoldsIsLookedAtWhereItMayBeAnother, ()) {
     static const std::vector<Post> posts{shipped("heidenhain-itnc530"), shipped("haas"),
                                          post_of("extends = \"fanuc\"\n"), shipped("sinumerik-840d")};
@@ -52,7 +52,7 @@ RC_GTEST_PROP(Writer, WhatHoldsIsLookedAtWhereItMayBeAnother, ()) {
     for (int n = *rc::gen::inRange(0, 30); n > 0; --n) {
         steps.push_back(any_step());
         asked.push_back(steps.back());
-        asked.push_back(cl::Setting{});
+        asked.push_back(cl::LeadEnd{});
     }
     const Written plain = write(post, steps), looked = write(post, asked);
     RC_ASSERT(plain.text == looked.text);
