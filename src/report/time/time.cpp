@@ -83,7 +83,7 @@ std::string tool_name(std::uint32_t number) {
 
 void put_lines(std::string& out, const Times& t, const base::Sources& sources, std::size_t most) {
     const std::vector<Line> lines = lines_of(t, sources);
-    if (lines.empty()) return;
+    if (lines.empty() || most == 0) return;
     const double all = sum(t.all);
     out += "\nslowest lines:\n";
     for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
