@@ -197,7 +197,7 @@ private:
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
     void note_feed(bool rapid);
-    void say_feed_mode(bool rapid);
+    void say_feed_mode(cl::FeedMode mode);
     void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;

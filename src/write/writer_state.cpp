@@ -139,9 +139,8 @@ void Writer::write_spindle(const cl::Spindle& s) {
 }
 
 /// The unit of the feed, where it has words of its own; in another unit F is said anew, whatever its number was.
-void Writer::say_feed_mode(bool rapid) {
-    const cl::FeedMode mode = cursor_.state().feed.mode;
-    if (rapid || cursor_.state().feed.value == 0 || feed_mode_ == mode) return;
+void Writer::say_feed_mode(cl::FeedMode mode) {
+    if (feed_mode_ == mode) return;
     if (feed_mode_) printer_.forget_values_of(post_[feed_command(false)]);
     feed_mode_ = mode;
     const Command command = mode == cl::FeedMode::per_rev ? Command::feed_mode_per_rev : Command::feed_mode_per_minute;

@@ -139,9 +139,11 @@ void modes_behind_motion(Calling& run) {
     for (const Modal m : modes) {
         const bool decides = m == Modal::feed_per_minute && run.modal.feed_mode == cl::FeedMode::per_rev;
         if (decides && moves && motion != Modal::rapid && !run.block.rapid)
-            unchecked(run, codes::unknown_value, run.here(),
-                      "M137 acts at the end of its block: F of this block is taken in mm per revolution still",
-                      "write M137 in a block of its own before this one, and F behind it");
+            unchecked(
+                run, codes::unknown_value, run.here(),
+                "the feed is in mm per minute from the end of this block on: F of the block itself is taken in mm per "
+                "revolution still",
+                "write the M function in a block of its own before this one, and F behind it");
         static_cast<void>(apply_mode(run, m, 0));
     }
 }

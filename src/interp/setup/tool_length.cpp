@@ -116,7 +116,8 @@ void judge_unlisted(Moving& run) {
     Offsets& o = run.offsets;
     const std::uint32_t tool = run.tool.number;
     const bool of_other = o.length == Length::of_tool && o.length_tool != tool;
-    if (!of_other || tool == 0 || tool == cl::unknown_tool) return;
+    const bool is_known = tool != cl::unknown_tool && o.length_tool != cl::unknown_tool;
+    if (!of_other || tool == 0 || !is_known) return;
     if (run.modal.motion == Modal::rapid && !names_height(run)) return;
     o.length_judged = true;
     const std::string moves =
