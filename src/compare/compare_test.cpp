@@ -183,6 +183,15 @@ TEST(Compare, WhatHoldsWhileTheToolStands) {
     EXPECT_EQ(differences(waits({true, false}), waits({true, false})), "");
 }
 
+TEST(Compare, ADwellInRevolutionsIsOneInSecondsWhereTheSpindleTurns) {
+    const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1};
+    EXPECT_EQ(
+        differences({turns, line(10), cl::Dwell{0, 20}, line(20)}, {turns, line(10), cl::Dwell{1.2, 0}, line(20)}), "");
+    EXPECT_EQ(differences({turns, line(10), cl::Dwell{0, 20}, line(20)}, {turns, line(10), cl::Dwell{2, 0}, line(20)}),
+              "events");
+    EXPECT_EQ(differences({line(10), cl::Dwell{0, 20}, line(20)}, {line(10), cl::Dwell{1.2, 0}, line(20)}), "events");
+}
+
 TEST(Compare, AnotherToolAtTheSameNumbersIsAMove) {
     const Steps there{line(10), cl::ToolChange{2, 1, ""}, line(10), line(20)};
     EXPECT_EQ(differences(there, {line(10), cl::ToolChange{2, 1, ""}, line(20)}), "motion");

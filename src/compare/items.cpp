@@ -94,9 +94,21 @@ void ItemPairs::add_unsaid_end(std::size_t side, Found& found) const {
     found.all.back().is_done = false;
 }
 
+namespace {
+
+/// A dwell in revolutions of a spindle that is known to turn is one in seconds.
+cl::Step in_seconds(const Item& item) {
+    const auto* dwell = std::get_if<cl::Dwell>(&item.step);
+    if (dwell == nullptr || !item.holding) return item.step;
+    const double seconds = cl::seconds_of(*dwell, item.holding->spindle);
+    return std::isnan(seconds) ? item.step : cl::Dwell{seconds, 0};
+}
+
+}  // namespace
+
 void ItemPairs::compare_pair(const Likeness& like, Found& found) {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
-    over_ = !like.steps(a.step, b.step);
+    over_ = !like.steps(a.step, b.step) && !like.steps(in_seconds(a), in_seconds(b));
     if (over_) return found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
     if (a.changes_side != b.changes_side)
         found.add(aspect_, &a, &b, a.moves,
@@ -120,6 +132,10 @@ void ItemPairs::compare_state(const Likeness& like, Found& found) const {
         std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
     if (!waits || !a.holding || !b.holding) return;
     const Holding &h = *a.holding, &k = *b.holding;
+    // What was written may stop for longer what the program lets run: its own control's stop does that, and says so.
+    const bool rests = stop != nullptr && like.is_written_from_a() && k.spindle.direction == 0 && !k.spindle.held &&
+                       k.coolant == cl::Coolant{};
+    if (rests) return;
     if (!found.has(Aspect::spindle) && !like(h.spindle, k.spindle))
         found.add(Aspect::spindle, &a, &b, a.moves, words(h.spindle) + "; in the other " + words(k.spindle));
     if (!found.has(Aspect::coolant) && !like(h.coolant, k.coolant))

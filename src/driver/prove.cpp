@@ -9,6 +9,7 @@
 #include "driver/not_run.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
+#include "motion/cursor.hpp"
 #include "write/lesser.hpp"
 
 namespace obrys::driver {
@@ -49,6 +50,33 @@ void complain_of_lengths(Session& s, const compare::Result& result) {
         "the zeros are right for that is not known";
     d.remedy = "have the program compensate lengths, or set the zeros anew for tools that are measured";
     s.diagnostics.add(std::move(d));
+}
+
+/// At what feed such a move goes nobody knows, so that no other is the same.
+void complain_of_feed(Session& s, const std::optional<cl::Record>& move) {
+    if (!move) return;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = codes::unknown_value;
+    d.where = move->from;
+    d.stack = s.stacks.sites(move->stack);
+    d.text = "a move at feed, and no feed is programmed: at what feed it goes is not known, so it is not compared";
+    d.remedy = "program F before it";
+    s.diagnostics.add(std::move(d));
+}
+
+std::optional<cl::Record> first_without_feed(const cl::Recording& stream) {
+    motion::Cursor cursor;
+    cl::Recording::Playback playback(stream);
+    std::optional<cl::Record> found;
+    const auto look = [&](const cl::Record& record) {
+        const std::optional<motion::Step> step = cursor.take(record);
+        if (!step || found || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
+        if (step->state.feed.value == 0) found = record;
+    };
+    while (!found && playback.step(look)) {
+    }
+    return found;
 }
 
 bool runs_otherwise(const compare::Result& result) {
@@ -151,9 +179,10 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
-    out.proof = unknown || stays || out.compared.lengths ? Proof::not_compared
-                : out.differs                            ? Proof::differs
-                                                         : Proof::same;
+    out.without_feed = first_without_feed(*translated.does);
+    out.proof = unknown || stays || out.without_feed || out.compared.lengths ? Proof::not_compared
+                : out.differs                                                ? Proof::differs
+                                                                             : Proof::same;
     return out;
 }
 
@@ -278,6 +307,7 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     if (best.settled.proved.run != nullptr)
         complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
     complain_of_lengths(session, best.settled.proved.compared);
+    complain_of_feed(session, best.settled.proved.without_feed);
     if (best.settled.proved.run != nullptr && best.settled.proved.compared.moves_a == 0 &&
         best.settled.proved.moves == 0)
         say_that_nothing_moves(session.diagnostics, session.main);
@@ -289,6 +319,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     Proved out = hold_against(translated, post, std::move(request), s, tolerance, values);
     if (out.run != nullptr) complain_of(s, out.compared, *out.run);
     complain_of_lengths(s, out.compared);
+    complain_of_feed(s, out.without_feed);
     return out;
 }
 

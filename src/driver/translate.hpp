@@ -89,10 +89,11 @@ struct Proved {
     std::size_t moves = 0;  ///< that it makes
     double within = 0;      ///< mm: as near to the program as the comparison says; staircases are on the words' places
     std::string why_not;    ///< it was not compared at all; empty: it was
-    std::unique_ptr<Session> run;  ///< null: its control is none that can be read
-    bool run_complains = false;    ///< what it complains about is news
-    bool feeds_rounded = false;    ///< as their words hold them
-    compare::Result compared{};    ///< with the program
+    std::unique_ptr<Session> run;              ///< null: its control is none that can be read
+    bool run_complains = false;                ///< what it complains about is news
+    bool feeds_rounded = false;                ///< as their words hold them
+    std::optional<cl::Record> without_feed{};  ///< the program's first move at feed for which it has programmed none
+    compare::Result compared{};                ///< with the program
 };
 /// Without a word to the session, which is that of the program, as `request` is.
 [[nodiscard]] Proved hold_against(const Translated& translated, const write::Post& post, Request request,

@@ -155,6 +155,7 @@ struct Offsets {
     enum class Length : std::uint8_t { none, of_tool, by_values };
     Length length = Length::none;
     std::uint32_t length_tool = 0;  ///< number of that tool
+    std::uint32_t said_for = 0;     ///< the tool that was in the spindle when that number was programmed
     /// H programmed last (Traits::offset_numbers_stay); NaN: none yet.
     double number = std::numeric_limits<double>::quiet_NaN();
     bool subtracts = false;          ///< G44 rather than G43

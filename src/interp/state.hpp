@@ -141,6 +141,7 @@ struct Reckoning : Saying, ToolRack {
     std::array<bool, 3> unsaid_since_change{};
     cl::AxisEnds ends;                                        ///< of the axes that the next move takes along
     std::pair<std::uint32_t, std::string> changed_to{0, {}};  ///< number and name of that tool
+    std::set<std::uint32_t> tools_called;                     ///< by their numbers, up to here
     geom::Frame frame;                                        ///< programmed frame -> stream frame
     bool frame_is_identity = true;
     geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane

@@ -94,6 +94,8 @@ struct Traits {
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.
     bool stops_before_motion = false;
+    /// What holds from the end of the block that says it, behind its motion.
+    std::span<const Modal> modes_behind_motion{};
     /// M6 changes the tool on every machine; else on mills alone, and T does so on lathes.
     bool changes_on_m6 = false;
     /// What T names besides the tool is the number of its offset, by habit the tool's own; else D names an edge.
@@ -218,6 +220,9 @@ struct Traits {
     bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
     bool needs_feed = false;
+    /// What the control makes of an F that was programmed in another unit (G94, G95) than the one in force; empty: that
+    /// is not known.
+    std::string_view feed_in_other_unit{};
     /// What is not ready for its block ends the run: a tool that the table does not hold, a thread with the spindle at
     /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
     bool refuses_unready = false;

@@ -71,6 +71,12 @@ void Printer::forget_words_of(const Template& text) {
         }
 }
 
+void Printer::forget_values_of(const Template& text) {
+    for (const Block& block : text)
+        for (const Token& t : block)
+            if (t.slot >= 0) words_[static_cast<std::size_t>(t.slot)].clear();
+}
+
 void Printer::forget_modes() {
     for (std::size_t i = 0; i < words_.size(); ++i)
         if (!post_.word_is_coordinate[i]) words_[i] = {};

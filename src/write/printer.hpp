@@ -57,6 +57,8 @@ public:
     void forget_coordinates();
     /// Words that stand there as they are may have another value than the last one of their letter.
     void forget_words_of(const Template& text);
+    /// Words of such a block are said again, whatever value they had.
+    void forget_values_of(const Template& text);
     /// Every word but coordinates is said again.
     void forget_modes();
     /// Blocks of moves that would not move are printed, too, with all their words.

@@ -198,6 +198,7 @@ private:
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
     void note_feed(bool rapid);
+    void say_feed_mode(cl::FeedMode mode);
     void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;
@@ -267,9 +268,10 @@ private:
     // What the text says so far.
     cl::Spindle spindle_;
     cl::Coolant coolant_;
-    std::optional<Command> coolant_waits_;  ///< for the next block that has a place for it
-    bool coolant_may_wait_ = false;         ///< a move follows that has
-    cl::Feed feed_noted_;                   ///< of which has been said that it is lost
+    std::optional<Command> coolant_waits_;   ///< for the next block that has a place for it
+    bool coolant_may_wait_ = false;          ///< a move follows that has
+    cl::Feed feed_noted_;                    ///< of which has been said that it is lost
+    std::optional<cl::FeedMode> feed_mode_;  ///< of the last move at feed
     cl::Tolerance tolerance_;
     std::optional<cl::PathMode> path_;
     std::optional<cl::Datum> datum_;

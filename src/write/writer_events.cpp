@@ -26,6 +26,14 @@ void Writer::event(const cl::Dwell& dwell) {
     const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
     if (std::isnan(turns ? dwell.revolutions : dwell.seconds))
         return note(Fate::lost, "a dwell whose time is not known");
+    const double seconds = cl::seconds_of(dwell, cursor_.state().spindle);
+    if (turns && !std::isnan(seconds) && !post_.has(Command::dwell_revolutions)) {
+        Note in_seconds{Fate::expanded, "a dwell of so many revolutions", {}, 0, 0};
+        in_seconds.instead = "is written in seconds, at the speed of the spindle";
+        note_at(std::move(in_seconds));
+        values_.set(Value::seconds, seconds);
+        return static_cast<void>(print(Command::dwell_seconds, "a dwell"));
+    }
     values_.set(Value::seconds, dwell.seconds);
     values_.set(Value::revolutions, dwell.revolutions);
     print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
@@ -75,6 +83,12 @@ void Writer::write_stop() {
     values_.clear();
     const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
     print(optional ? Command::stop_optional : Command::stop_program, "a stop");
+    if (!post_.stop_stops_spindle.empty() && (spindle_.direction != 0 || !(coolant_ == cl::Coolant{}))) {
+        Note stands{
+            Fate::expanded, "a stop while spindle or coolant is on, which this control stops with it,", {}, 0, 0};
+        stands.instead = "is written, and both are told again behind it";
+        note_at(std::move(stands));
+    }
     stop_spindle(post_.stop_stops_spindle);
     if (!post_.stop_stops_spindle.empty()) coolant_ = {};  // what stops the one stops the other
     now_ = now;

@@ -118,6 +118,7 @@ void Writer::take_axes(Parts& parts, bool home) {
 
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
+    if (!rapid && cursor_.state().feed.value != 0) say_feed_mode(cursor_.state().feed.mode);
     note_cut_without_tool(rapid);
     const std::string_view special = special_move(command);
     if (!post_.has(command))

@@ -146,6 +146,17 @@ void Writer::write_spindle(const cl::Spindle& s) {
     print(command, "the spindle");
 }
 
+/// The unit of the feed, where it has words of its own; in another unit F is said anew, whatever its number was.
+void Writer::say_feed_mode(cl::FeedMode mode) {
+    if (feed_mode_ == mode) return;
+    if (feed_mode_) printer_.forget_values_of(post_[feed_command(false)]);
+    feed_mode_ = mode;
+    const Command command = mode == cl::FeedMode::per_rev ? Command::feed_mode_per_rev : Command::feed_mode_per_minute;
+    if (mode == cl::FeedMode::inverse_time || !post_.has(command)) return;
+    end_compensation_alone(Urgency::may_wait);
+    static_cast<void>(printer_.print(post_[command], Values{}));
+}
+
 /// It may stand in the block of the spindle or of the next move; the word that comes before another one may not.
 void Writer::await_coolant() {
     const About about(*this, Topic::coolant);

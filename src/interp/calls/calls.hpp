@@ -62,6 +62,8 @@ void procedure(Calling&, const program::ProcedureCall&);
 void modal_word(Calling&, const program::Word&);
 /// What a word of the modal state does, without the block it stands in; false where `m` is none.
 [[nodiscard]] bool apply_mode(Calling&, Modal m, int number);
+/// What the block says that holds from its end on.
+void modes_behind_motion(Calling&);
 
 // --- dimension_words.cpp
 void set_plane(Moving&, int plane);

@@ -37,6 +37,7 @@ void end_of_program(Calling& run, int m) {
 }  // namespace
 
 void after_motion(Calling& run) {
+    if (!run.block.behind.empty()) modes_behind_motion(run);
     if (run.block.stops_run) {
         run.spindle.doubtful = true;
         emit(run, cl::Stop{cl::StopKind::program});

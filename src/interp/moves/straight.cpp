@@ -219,6 +219,14 @@ void capture(Moving& run, const path::Element& e, bool rapid) {
 
 namespace {
 
+/// Both coordinates of the plane follow from polar words, or the other one from an angle.
+bool names_with_others(const Moving& run, int axis) {
+    constexpr std::uint64_t both =
+        bit(Code::polar_radius) | bit(Code::polar_angle) | bit(Code::pole_angle) | bit(Code::line_angle);
+    const PlaneAxes plane = plane_axes(run.modal.plane);
+    return (run.block.present & both) != 0 && (axis == plane.u || axis == plane.v);
+}
+
 /// What the program has said, where the point on the workpiece does not tell that: in a turned frame a coordinate that
 /// is not known hides others, and behind a change of tools one that has not been said anew looks as though it had been.
 void tell_said(Moving& run) {
@@ -226,7 +234,7 @@ void tell_said(Moving& run) {
     const bool shows = run.frame_is_identity || geom::is_finite(run.position);
     if (shows && unsaid == std::array<bool, 3>{}) return;
     for (int k = 0; k < 3; ++k)
-        if (run.block.has(axis_code(k))) unsaid[static_cast<std::size_t>(k)] = false;
+        if (run.block.has(axis_code(k)) || names_with_others(run, k)) unsaid[static_cast<std::size_t>(k)] = false;
     if (shows && unsaid == std::array<bool, 3>{}) return;
     if (!geom::is_invertible(run.frame)) return;
     const geom::Vec3 seen = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
@@ -268,11 +276,30 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
     plane_element(run, straight_element(at, to, a), to, rapid);
 }
 
+namespace {
+
+/// F was programmed in another unit than the one in force.
+void say_void_feed(Reckoning& run) {
+    const cl::FeedMode mode = run.modal.feed_mode;
+    const std::string unit = mode == cl::FeedMode::per_rev      ? "mm per revolution"
+                             : mode == cl::FeedMode::per_minute ? "mm per minute"
+                                                                : "inverse time";
+    const std::string_view does = run.traits->feed_in_other_unit;
+    unchecked(run, codes::feed_missing, run.here(),
+              "no feed is programmed in " + unit + ", in which F counts from here on: " +
+                  (does.empty() ? "what the control makes of the last one is not known" : std::string(does)),
+              "write F beside or behind the word that changes its unit");
+}
+
+}  // namespace
+
 void require_feed(Telling& run) {
     if (run.spindle.doubtful) judge_stop(run);
     if (run.feed_valid || !run.feed_dropped) return;
     run.feed_dropped = false;
-    emit(run, cl::Feed{0, run.modal.feed_mode});
+    if (!(run.feed > 0)) return emit(run, cl::Feed{0, run.modal.feed_mode});
+    say_void_feed(run);
+    emit(run, cl::Feed{unknown_number, run.modal.feed_mode});
 }
 
 }  // namespace obrys::interp
