@@ -111,7 +111,7 @@ constexpr std::string_view linuxcnc_tools =
 
 constexpr std::array controls_table{
     Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions, nullptr, false,
-            read::sinumerik::is_definition_file},
+            read::sinumerik::is_definition_file, {}, read::sinumerik::is_own_word},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file, false, nullptr, linuxcnc_tools},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},

@@ -17,7 +17,11 @@ namespace codes = base::codes;
 
 std::optional<rewrite::Language> find_language(const std::string& name, Session& s) {
     const std::optional<std::uint32_t> file = load_post(name, s);
-    return file ? rewrite::read_language(*file, s.sources, s.diagnostics, beside_post(name, s)) : std::nullopt;
+    if (!file) return std::nullopt;
+    auto language = rewrite::read_language(*file, s.sources, s.diagnostics, beside_post(name, s));
+    const Control* control = language ? find_control(language->control) : nullptr;
+    if (control != nullptr && control->is_word != nullptr) language->is_word = control->is_word;
+    return language;
 }
 
 Kept keep(Session& s, const rewrite::Language& language, const std::string& name) {

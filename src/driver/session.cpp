@@ -138,14 +138,19 @@ bool refused(const Session& s) {
            });
 }
 
-int exit_code_of_run(const Session& s) {
+static int exit_code_without(const Session& s, bool (*leaves_out)(const base::Diagnostic&)) {
     bool finding = false, unchecked = false;
     for (const base::Diagnostic& d : s.diagnostics.all()) {
+        if (leaves_out != nullptr && leaves_out(d)) continue;
         finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
         unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
     }
     return refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
 }
+
+int exit_code_of_run(const Session& s) { return exit_code_without(s, nullptr); }
+
+int exit_code_of_translation(const Session& s) { return exit_code_without(s, is_of_no_run); }
 
 int percent_lines(const Session& s) {
     int found = 0;

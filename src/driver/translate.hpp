@@ -22,6 +22,10 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// The post that a call names: a shipped one, a file (.toml), or the name of a control, which stands for that of its
 /// mills or lathes; "same" is the program's own. Nothing, with what is wrong in the session's diagnostics, where there
 /// is none.
+/// The name as the control takes it (`[file]` of the post); names of programs hold no blanks.
+[[nodiscard]] std::string name_in(const write::Post& post, std::string name);
+/// The same, and says so where it is another one.
+[[nodiscard]] std::string said_name_in(const write::Post& post, const std::string& name, Session& session);
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
                                                    PostFor way = PostFor::moves);
 /// Its text among the session's sources; as above.
@@ -92,6 +96,8 @@ struct Proved {
     std::unique_ptr<Session> run;  ///< null: its control is none that can be read
     bool run_complains = false;    ///< what it complains about is news
     bool feeds_rounded = false;    ///< as their words hold them
+    bool speeds_rounded = false;   ///< the same of the spindle
+    double increment = 0;          ///< mm, in which the control counts; 0: places are as written
     compare::Result compared{};    ///< with the program
 };
 /// Without a word to the session, which is that of the program, as `request` is.

@@ -20,6 +20,7 @@ struct NumberStyle {
     bool plus = false;       ///< "+10"
     double factor = 1;       ///< what is written is the value times this
     double most = 99999.0;   ///< largest amount that the word can hold, as written
+    bool of_increments = false;  ///< its decimals are those of the control's least input increment
     bool exact = false;      ///< a number with more decimals than these is refused, not rounded
     std::string at_rapid{};  ///< what stands for an infinite value ("MAX"); empty: it cannot be written
 };

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "commands.hpp"
 #include "driver/stream_file.hpp"
 #include "session.hpp"
@@ -17,6 +18,12 @@ namespace {
 /// "PART" of "subs/PART.MPF".
 std::string program_name(const std::string& path) { return driver::fs::path(path).stem().string(); }
 
+/// What the control's own increments make of a tolerance; nothing where it takes places as they are written.
+std::string of_increments(double increment) {
+    if (increment == 0) return "";
+    return " (half the control's increment of " + base::shortest(increment) + " mm)";
+}
+
 /// How it went, for people.
 void print(const driver::Settled& settled, const write::Post& post) {
     const auto& [t, proved] = settled;
@@ -24,10 +31,12 @@ void print(const driver::Settled& settled, const write::Post& post) {
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s\n",
+        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     proved.feeds_rounded ? ", feeds as their words hold them" : "");
+                     of_increments(proved.increment).c_str(),
+                     proved.feeds_rounded ? ", feeds as their words hold them" : "",
+                     proved.speeds_rounded ? ", speeds as their words hold them" : "");
 }
 
 report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, const write::Post& post,
@@ -53,7 +62,7 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     print(settled, post);
     print_diagnostics(s);
-    const int run = driver::exit_code_of_run(s);
+    const int run = driver::exit_code_of_translation(s);
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;
     report::Ledger ledger = ledger_of(s, t, post, target, proof, run);
     ledger.written = !refused && run != 2;
@@ -103,7 +112,7 @@ int translate(const Arguments& arguments) {
         std::fputs("obrys: --keep writes statements, neither staircases nor punched tape: leave it out\n", stderr);
         return 2;
     }
-    const std::string name = program_name(s.program);
+    const std::string name = driver::said_name_in(*post, program_name(s.program), s);
     return a.keep ? translate_kept(s, *post, a, name) : translate_by_motion(s, *post, a, name);
 }
 

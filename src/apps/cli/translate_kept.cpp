@@ -74,7 +74,7 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
     }
     const bool refused = (lost || proof == driver::Proof::differs) && !a.accept_loss;
     print_diagnostics(s);
-    const int run = driver::exit_code_of_run(s);
+    const int run = driver::exit_code_of_translation(s);
     report::Ledger ledger = driver::ledger(s, kept, name_of(target), runs);
     ledger.post = post.name.empty() ? post.title : post.name;
     ledger.post_control = post.control;

@@ -111,6 +111,7 @@ inline constexpr program::Traits traits{
     .has_diameter_words = true,
     .radius_makes_arc = false,
     .length_axis_setting = "SD42940 TOOL_LENGTH_CONST = 17",
+    .counts_increments = true,  // MD10200 INT_INCR_PER_MM, where the machine file says it
     .alarms = {.late_definition = "14500"},
 };
 

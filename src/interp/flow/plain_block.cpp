@@ -35,6 +35,7 @@ struct Scanned {
 Scanned scan(Moving& run, std::uint32_t first, std::uint32_t end) {
     const Unit& unit = run.unit();
     Scanned s;
+    const double increments = increments_of_unit(run);
     if (end - first > most_words) return s;
     for (std::uint32_t i = first; i < end; ++i) {
         const Word& w = unit.words[i];
@@ -50,7 +51,9 @@ Scanned scan(Moving& run, std::uint32_t first, std::uint32_t end) {
         } else if (program::is_literal(w)) {
             // A feed of 0 is no feed, and is told.
             if (code == Code::feed && (program::form_of(w) == Form::pooled || w.payload <= 0)) return {};
-            run.block.value[static_cast<std::size_t>(code)] = unit.literal(w);
+            const double v = unit.literal(w);
+            run.block.value[static_cast<std::size_t>(code)] =
+                code == Code::feed ? v : in_increments(v, increments);
             run.block.reference[static_cast<std::size_t>(code)] = 0;
         } else {  // one that is empty is as though it were not there
             if (code == Code::feed || program::form_of(w) != Form::expression || run.traits->empty_parameters)
