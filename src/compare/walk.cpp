@@ -115,16 +115,16 @@ bool Walk::compare_piece() {
                       (whole && std::is_permutation(m.axes.begin(), m.axes.end(), n.axes.begin(), n.axes.end(), like));
     const bool begins_alike = whole || geom::distance(p.from, q.from) <= 2 * like.length();
     const bool alike = axes && begins_alike && like.steps(p.step, q.step);
+    // What stands between the moves stands there, too, where one of them is missing.
+    if (!alike && is_lost_in_increments(a)) return a.pass(), false;
+    if (!alike && is_lost_in_increments(b)) return b.pass(), false;
     std::optional<Piece> rest_a, rest_b;
     if (!alike && m.axes.empty() && n.axes.empty() && can_be_joined(*m.holding, cl::is_rapid(m.step)) &&
         can_be_joined(*n.holding, cl::is_rapid(n.step))) {
         rest_b = behind(q, p, like);
         if (!rest_b) rest_a = behind(p, q, like);
     }
-    const bool stands_alone = !alike && !rest_a && !rest_b;
-    if (stands_alone && is_lost_in_increments(a)) return a.pass(), false;
-    if (stands_alone && is_lost_in_increments(b)) return b.pass(), false;
-    if (!whole && stands_alone) return pass_joined(), true;
+    if (!whole && !alike && !rest_a && !rest_b) return pass_joined(), true;
     if (!alike && !rest_a && !rest_b) differs(m, n, number());
     if (whole && (rest_a || rest_b)) joined_ = Joined{m, n, number()};
     if (m.holding != last_a_ || n.holding != last_b_) compare_holding(m, n);

@@ -152,6 +152,12 @@ int exit_code_of_run(const Session& s) { return exit_code_without(s, nullptr); }
 
 int exit_code_of_translation(const Session& s) { return exit_code_without(s, is_of_no_run); }
 
+double increment_of(const Session& s) {
+    if (s.main == nullptr || !s.main->traits->counts_increments) return 0;
+    const double per_mm = s.job.machine.control.increments_per_mm.value_or(s.main->traits->increments_per_mm);
+    return per_mm > 0 ? 1 / per_mm : 0;
+}
+
 int percent_lines(const Session& s) {
     int found = 0;
     bool first = true;

@@ -22,7 +22,6 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
     return {name};
 }
 
-
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s, PostFor way) {
     const bool for_mills = post && (post->staircase || (post->for_mills_alone && way == PostFor::moves));

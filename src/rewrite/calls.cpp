@@ -62,8 +62,7 @@ std::string Writing::program_name(const Unit& u) {
             });
         };
         std::string free = good;
-        for (int n = 2; is_taken(free); ++n)
-            free = with_end(good, "_" + std::to_string(n), Named::program, language);
+        for (int n = 2; is_taken(free); ++n) free = with_end(good, "_" + std::to_string(n), Named::program, language);
         return name = free;
     }
     name = std::to_string(first_called + numbered_++);

@@ -61,11 +61,11 @@ struct Language {
     bool numbered_labels = false, numbered_programs = false;
     bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
     std::size_t longest_label = 0, longest_program = 0, longest_variable = 0;  ///< characters; 0: as long as it is
-    std::string control;                           ///< that reads it
+    std::string control;                                                       ///< that reads it
     std::function<bool(std::string_view)> is_word;  ///< one of that control's own, in capitals; empty: none is known
-    std::vector<std::string> kept_names;  ///< what names of the control's maker begin with
-    int step = 0;                         ///< of block numbers; 0: blocks have none
-    std::vector<Zeros> zeros;   ///< as translations by motion write them; none: the control has one
+    std::vector<std::string> kept_names;            ///< what names of the control's maker begin with
+    int step = 0;                                   ///< of block numbers; 0: blocks have none
+    std::vector<Zeros> zeros;                       ///< as translations by motion write them; none: the control has one
     std::vector<Pool> global, local;
     LocalPlace local_place = LocalPlace::program;
     std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103

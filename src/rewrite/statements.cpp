@@ -143,14 +143,11 @@ std::string Writing::label_of(std::uint32_t statement) {
     if (!settled.empty()) return settled;
     const auto own = labels_.find(statement);
     if (language.numbered_labels || own == labels_.end()) return settled = fresh_label();
-    const std::string good = good_name(own->second, Named::label, "LBL_", language);
-    std::string name = good;
-    if (!all_labels_.insert(name).second) {
-        name = with_end(good, "_" + program_name(*unit), Named::label, language);
-        for (int n = 2; !all_labels_.insert(name).second; ++n)
-            name = with_end(good, "_" + std::to_string(n), Named::label, language);
-    }
-    if (!base::equals_ignoring_case(name, own->second) && !base::is_digit(own->second[0]))
+    std::string good = good_name(own->second, Named::label, "LBL_", language), name = good;
+    if (all_labels_.contains(name)) name = with_end(good, "_" + program_name(*unit), Named::label, language);
+    for (int n = 2; !all_labels_.insert(name).second; ++n)
+        name = with_end(good, "_" + std::to_string(n), Named::label, language);
+    if (!base::is_digit(own->second[0]) && !base::equals_ignoring_case(name, own->second))
         tell(here, "label " + own->second + " is called " + name);
     return settled = name;
 }

@@ -92,7 +92,8 @@ struct Post {
     std::optional<SubprogramForm> own_file;    ///< in files beside it
     /// mm: the control takes lengths in such steps and rounds what is finer (least input increment); 0: as written.
     double increment = 0;
-    double least_arc = 0;  ///< mm: such steps of a control whose posts say finer places; ends of arcs within one are one
+    double least_arc =
+        0;  ///< mm: such steps of a control whose posts say finer places; ends of arcs within one are one
     std::vector<NumberStyle> styles;
     std::size_t words = 0;                 ///< how many are modal
     std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes

@@ -32,8 +32,8 @@ public:
         if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
-        for (const std::string_view known : {"extends", "statements", "expressions", "operators", "functions", "parameters", "flow",
-                                             "words", "frames", "system", "cycle-program"})
+        for (const std::string_view known : {"extends", "statements", "expressions", "operators", "functions",
+                                             "parameters", "flow", "words", "frames", "system", "cycle-program"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
@@ -171,8 +171,8 @@ private:
             if (name == "file")
                 post_.encoding =
                     static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
-                post_.longest_name = static_cast<std::size_t>(s.integer("longest_name", 1, 255).value_or(0));
-                post_.name_is_plain = s.boolean("plain_name").value_or(false);
+            post_.longest_name = static_cast<std::size_t>(s.integer("longest_name", 1, 255).value_or(0));
+            post_.name_is_plain = s.boolean("plain_name").value_or(false);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") read_inheritance(s);
             if (name == "function") read_functions(s, post_);

@@ -52,8 +52,7 @@ Scanned scan(Moving& run, std::uint32_t first, std::uint32_t end) {
             // A feed of 0 is no feed, and is told.
             if (code == Code::feed && (program::form_of(w) == Form::pooled || w.payload <= 0)) return {};
             const double v = unit.literal(w);
-            run.block.value[static_cast<std::size_t>(code)] =
-                code == Code::feed ? v : in_increments(v, increments);
+            run.block.value[static_cast<std::size_t>(code)] = code == Code::feed ? v : in_increments(v, increments);
             run.block.reference[static_cast<std::size_t>(code)] = 0;
         } else {  // one that is empty is as though it were not there
             if (code == Code::feed || program::form_of(w) != Form::expression || run.traits->empty_parameters)

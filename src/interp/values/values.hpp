@@ -24,8 +24,8 @@ namespace obrys::interp {
 
 // --- increments.cpp
 /// Words whose values the control takes in least input increments.
-inline constexpr std::uint64_t counted_words = linear_axes | bit(Code::i) | bit(Code::j) | bit(Code::k) |
-                                               bit(Code::radius);
+inline constexpr std::uint64_t counted_words =
+    linear_axes | bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
 /// How many of them a length of 1 in the program has; 0: it is taken as written.
 [[nodiscard]] double increments_of_unit(const Reckoning&);
 [[nodiscard]] inline double in_increments(double v, double of_unit) {
