@@ -15,6 +15,13 @@ namespace obrys::driver {
 
 namespace codes = base::codes;
 
+compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance) {
+    constexpr double slack = 1 + 1e-6;
+    tolerance.increment = write::least_arc(post);
+    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * slack);
+    return tolerance;
+}
+
 namespace {
 
 /// What the written program does otherwise, at the place of the program that it comes from.
@@ -61,14 +68,6 @@ bool differs_by_rounding(const compare::Result& result) {
     using compare::Aspect;
     return result.of(Aspect::motion) != nullptr || result.of(Aspect::feed) != nullptr ||
            result.of(Aspect::spindle) != nullptr;
-}
-
-/// A control that counts in increments rounds every coordinate to them.
-compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance) {
-    constexpr double slack = 1 + 1e-6;
-    tolerance.increment = write::least_arc(post);
-    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * slack);
-    return tolerance;
 }
 
 /// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its

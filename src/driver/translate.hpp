@@ -22,12 +22,14 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// The post that a call names: a shipped one, a file (.toml), or the name of a control, which stands for that of its
 /// mills or lathes; "same" is the program's own. Nothing, with what is wrong in the session's diagnostics, where there
 /// is none.
+[[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
+                                                   PostFor way = PostFor::moves);
+/// A control that counts in increments rounds every coordinate to them.
+[[nodiscard]] compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance);
 /// The name as the control takes it (`[file]` of the post); names of programs hold no blanks.
 [[nodiscard]] std::string name_in(const write::Post& post, std::string name);
 /// The same, and says so where it is another one.
 [[nodiscard]] std::string said_name_in(const write::Post& post, const std::string& name, Session& session);
-[[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
-                                                   PostFor way = PostFor::moves);
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 /// Loads what an own post names beside itself: hooks, the post that it extends. Nothing for shipped ones.
