@@ -4,7 +4,6 @@
 
 #include <cstdio>
 
-#include "base/number.hpp"
 #include "commands.hpp"
 #include "driver/stream_file.hpp"
 #include "session.hpp"
@@ -18,12 +17,6 @@ namespace {
 /// "PART" of "subs/PART.MPF".
 std::string program_name(const std::string& path) { return driver::fs::path(path).stem().string(); }
 
-/// What the control's own increments make of a tolerance; nothing where it takes places as they are written.
-std::string of_increments(double increment) {
-    if (increment == 0) return "";
-    return " (half the control's increment of " + base::shortest(increment) + " mm)";
-}
-
 /// How it went, for people.
 void print(const driver::Settled& settled, const write::Post& post) {
     const auto& [t, proved] = settled;
@@ -34,8 +27,7 @@ void print(const driver::Settled& settled, const write::Post& post) {
         std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     of_increments(proved.increment).c_str(),
-                     proved.feeds_rounded ? ", feeds as their words hold them" : "",
+                     of_increments(proved).c_str(), proved.feeds_rounded ? ", feeds as their words hold them" : "",
                      proved.speeds_rounded ? ", speeds as their words hold them" : "");
 }
 

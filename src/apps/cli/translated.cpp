@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "milled.hpp"
 
 namespace obrys::cli {
@@ -55,6 +56,11 @@ bool deliver_ledger(const std::string& path, const report::Ledger& ledger) {
     return deliver(path, path.ends_with(".json") ? report::ledger_json(ledger)
                          : shows_texts(path)     ? report::ledger_html(ledger)
                                                  : report::ledger_text(ledger));
+}
+
+std::string of_increments(const driver::Proved& p) {
+    if (p.increment == 0) return "";
+    return " (half the control's increment of " + base::shortest(p.increment) + " mm)";
 }
 
 const char* verdict_of(const driver::Proved& p) {

@@ -31,6 +31,8 @@ struct Target {
 /// JSON, HTML or text by the name of the file; an empty one is none.
 [[nodiscard]] bool deliver_ledger(const std::string& path, const report::Ledger& ledger);
 
+/// " (half the control's increment of 0.001 mm)"; empty where it takes places as they are written.
+[[nodiscard]] std::string of_increments(const driver::Proved& p);
 [[nodiscard]] const char* verdict_of(const driver::Proved& proved);
 
 }  // namespace obrys::cli
