@@ -114,8 +114,15 @@ constexpr std::string_view linuxcnc_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
 
 constexpr std::array controls_table{
-    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions, nullptr, false,
-            read::sinumerik::is_definition_file},
+    Control{"sinumerik-840d",
+            sinumerik_languages,
+            sinumerik_programs,
+            sinumerik_definitions,
+            nullptr,
+            false,
+            read::sinumerik::is_definition_file,
+            {},
+            read::sinumerik::is_own_word},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file, false, nullptr, linuxcnc_tools},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},

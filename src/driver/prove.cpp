@@ -16,6 +16,13 @@ namespace obrys::driver {
 
 namespace codes = base::codes;
 
+compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance) {
+    constexpr double slack = 1 + 1e-6;
+    tolerance.increment = write::least_arc(post);
+    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * slack);
+    return tolerance;
+}
+
 namespace {
 
 /// What the written program does otherwise, at the place of the program that it comes from.
@@ -86,7 +93,9 @@ bool runs_otherwise(const compare::Result& result) {
 
 /// In what the numbers of words say.
 bool differs_by_rounding(const compare::Result& result) {
-    return result.of(compare::Aspect::motion) != nullptr || result.of(compare::Aspect::feed) != nullptr;
+    using compare::Aspect;
+    return result.of(Aspect::motion) != nullptr || result.of(Aspect::feed) != nullptr ||
+           result.of(Aspect::spindle) != nullptr;
 }
 
 /// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its
@@ -97,6 +106,7 @@ compare::Tolerance as_words_hold(const write::Post& post, compare::Tolerance tol
     if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
     constexpr double slack = 1 + 1e-6;
     tolerance.feed_step = write::half_step(post, "feed") * slack;
+    tolerance.speed_step = write::half_step(post, "speed") * slack;
     return tolerance;
 }
 
@@ -142,7 +152,8 @@ std::string_view name_of(Proof proof) {
 }
 
 Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
-                    const compare::Tolerance& tolerance, const OwnValues& values) {
+                    const compare::Tolerance& wanted_tolerance, const OwnValues& values) {
+    const compare::Tolerance tolerance = as_control_counts(post, wanted_tolerance);
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;
@@ -165,18 +176,20 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     };
     if (!run(tolerance)) return out;
     out.within = tolerance.length;
+    out.increment = post.increment;
     if (const compare::Result first = out.compared; differs_by_rounding(first)) {
         const compare::Tolerance wide = as_words_hold(post, tolerance);
         if (!run(wide)) return out;
         const auto settled = [&](compare::Aspect a) { return first.of(a) != nullptr && out.compared.is_equal(a); };
         if (settled(compare::Aspect::motion)) out.within = std::max(wide.length, wide.on_arcs);
         out.feeds_rounded = settled(compare::Aspect::feed);
+        out.speeds_rounded = settled(compare::Aspect::spindle);
     }
     out.why_not.clear();
     out.moves = out.compared.moves_b;
     if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
-    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
-    out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
+    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_translation(*out.run) == 3;
+    out.run_complains = stops || (unknown && exit_code_of_translation(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
     out.without_feed = first_without_feed(*translated.does);

@@ -138,13 +138,24 @@ bool refused(const Session& s) {
            });
 }
 
-int exit_code_of_run(const Session& s) {
+static int exit_code_without(const Session& s, bool (*leaves_out)(const base::Diagnostic&)) {
     bool finding = false, unchecked = false;
     for (const base::Diagnostic& d : s.diagnostics.all()) {
+        if (leaves_out != nullptr && leaves_out(d)) continue;
         finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
         unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
     }
     return refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
+}
+
+int exit_code_of_run(const Session& s) { return exit_code_without(s, nullptr); }
+
+int exit_code_of_translation(const Session& s) { return exit_code_without(s, is_of_no_run); }
+
+double increment_of(const Session& s) {
+    if (s.main == nullptr || !s.main->traits->counts_increments) return 0;
+    const double per_mm = s.job.machine.control.increments_per_mm.value_or(s.main->traits->increments_per_mm);
+    return per_mm > 0 ? 1 / per_mm : 0;
 }
 
 int percent_lines(const Session& s) {

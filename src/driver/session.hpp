@@ -119,6 +119,10 @@ interp::Outcome interpret(Session& session, cl::Sink sink, std::optional<interp:
 /// Of a run alone: 2 refused, 3 something was not understood or run, 1 the control would stop or something else is
 /// wrong.
 [[nodiscard]] int exit_code_of_run(const Session& session);
+/// The same of a program that is translated: what no run of it comes to is said, and is nothing that is not compared.
+[[nodiscard]] int exit_code_of_translation(const Session& session);
+/// mm: the control of the program takes coordinates in such steps; 0: as they are written.
+[[nodiscard]] double increment_of(const Session& session);
 
 /// Lines of the main program's text that hold `%` alone, two at most; 0 where it does not begin with one.
 [[nodiscard]] int percent_lines(const Session& session);

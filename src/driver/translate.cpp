@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/memory.hpp"
+#include "base/text.hpp"
 #include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
@@ -21,12 +22,6 @@ namespace {
 std::vector<std::string> candidates(const std::string& name, shop::MachineKind kind) {
     if (kind == shop::MachineKind::lathe) return {name + "-lathe", name};
     return {name};
-}
-
-/// Names of programs hold no blanks; those of files may.
-std::string without_blanks(std::string name) {
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
 }
 
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
@@ -67,7 +62,38 @@ write::LoadText beside_post(const std::string& name, Session& s) {
 std::optional<write::Post> find_post(const std::string& name, Session& s, PostFor way) {
     const std::optional<std::uint32_t> file = load_post(name, s);
     if (!file) return std::nullopt;
-    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_post(name, s)), *file, s, way);
+    std::optional<write::Post> post =
+        checked(write::read_post(*file, s.sources, s.diagnostics, beside_post(name, s)), *file, s, way);
+    const std::optional<double>& per_mm = s.job.machine.control.increments_per_mm;
+    if (post && post->increment > 0 && per_mm) write::count_in(*post, 1 / *per_mm);
+    return post;
+}
+
+std::string name_in(const write::Post& post, std::string name) {
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool is_plain = base::is_letter(c) || base::is_digit(c) || c == '_' || c == '-' || c == '.';
+        const bool goes_on = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of a letter of several bytes
+        if (post.name_is_plain && !is_plain && goes_on) continue;
+        out += c == ' ' || (post.name_is_plain && !is_plain) ? '_' : c;
+    }
+    if (post.longest_name != 0 && out.size() > post.longest_name) out.resize(post.longest_name);
+    return out;
+}
+
+std::string said_name_in(const write::Post& post, const std::string& name, Session& s) {
+    std::string out = name_in(post, name);
+    std::string blank = name;
+    std::replace(blank.begin(), blank.end(), ' ', '_');
+    if (out == blank) return out;
+    base::Diagnostic d;
+    d.severity = base::Severity::note;
+    d.code = codes::written_by_moves;
+    if (s.main != nullptr) d.where = {s.main->file, s.main->begin, s.main->begin};
+    d.text = "the program is called " + out + ": the control takes no name as " + name;
+    s.diagnostics.add(std::move(d));
+    return out;
 }
 
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
@@ -150,7 +176,7 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
         if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
     };
     output.run = std::move(run);
-    write::Writer writer(post, without_blanks(options.name), output);
+    write::Writer writer(post, name_in(post, options.name), output);
     stream([&](const cl::Record& record) {
         ++taken;
         writer.take(record);

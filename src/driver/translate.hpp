@@ -24,6 +24,12 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// is none.
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
                                                    PostFor way = PostFor::moves);
+/// A control that counts in increments rounds every coordinate to them.
+[[nodiscard]] compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance);
+/// The name as the control takes it (`[file]` of the post); names of programs hold no blanks.
+[[nodiscard]] std::string name_in(const write::Post& post, std::string name);
+/// The same, and says so where it is another one.
+[[nodiscard]] std::string said_name_in(const write::Post& post, const std::string& name, Session& session);
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 /// Loads what an own post names beside itself: hooks, the post that it extends. Nothing for shipped ones.
@@ -92,6 +98,8 @@ struct Proved {
     std::unique_ptr<Session> run;              ///< null: its control is none that can be read
     bool run_complains = false;                ///< what it complains about is news
     bool feeds_rounded = false;                ///< as their words hold them
+    bool speeds_rounded = false;               ///< the same of the spindle
+    double increment = 0;                      ///< mm, in which the control counts; 0: places are as written
     std::optional<cl::Record> without_feed{};  ///< the program's first move at feed for which it has programmed none
     compare::Result compared{};                ///< with the program
 };

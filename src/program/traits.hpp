@@ -214,6 +214,11 @@ struct Traits {
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
     /// 0: what the machine says.
     double arc_tolerance = 0, arc_tolerance_inch = 0;
+    /// Coordinates and lengths count in least input increments: what is finer is rounded, as the machine file says
+    /// how fine they are, else to so many a millimetre (of a program in inches a tenth of them); 0: as written.
+    bool counts_increments = false;
+    double increments_per_mm = 0;
+    bool speed_is_whole = false;  ///< S is a whole number: what a variable holds is rounded
     /// A block that cannot be read ends the run; else it is stepped over.
     bool bad_block_stops = false;
     /// A called program that is not found ends the run; else the call is left out.

@@ -7,6 +7,7 @@
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "rewrite/good_name.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -55,10 +56,15 @@ std::string Writing::program_name(const Unit& u) {
     std::string& name = program_names_[&u];
     if (!name.empty()) return name;
     if (!language.numbered_programs) {
-        for (const char c : u.name) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-        if (name.empty() || !base::is_letter(name[0]) || (name.size() > 1 && base::is_digit(name[1])))
-            name = "PGM_" + name;
-        return name;
+        const std::string good = good_name(u.name, Named::program, "PGM_", language);
+        const auto is_taken = [&](const std::string& wanted) {
+            return std::any_of(program_names_.begin(), program_names_.end(), [&](const auto& other) {
+                return other.first != &u && base::equals_ignoring_case(other.second, wanted);
+            });
+        };
+        std::string free = good;
+        for (int n = 2; is_taken(free); ++n) free = with_end(good, "_" + std::to_string(n), Named::program, language);
+        return name = free;
     }
     name = std::to_string(first_called + numbered_++);
     return name;

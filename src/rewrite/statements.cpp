@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "rewrite/good_name.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -143,11 +144,12 @@ std::string Writing::label_of(std::uint32_t statement) {
     if (!settled.empty()) return settled;
     const auto own = labels_.find(statement);
     if (language.numbered_labels || own == labels_.end()) return settled = fresh_label();
-    std::string name;  // the program's own, made good
-    for (const char c : own->second) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-    const bool word = name.size() > 1 && !base::is_digit(name[0]) && !base::is_digit(name[1]);
-    if (!word) name = "LBL_" + name;
-    while (!all_labels_.insert(name).second) name += "_" + program_name(*unit);
+    std::string good = good_name(own->second, Named::label, "LBL_", language), name = good;
+    if (all_labels_.contains(name)) name = with_end(good, "_" + program_name(*unit), Named::label, language);
+    for (int n = 2; !all_labels_.insert(name).second; ++n)
+        name = with_end(good, "_" + std::to_string(n), Named::label, language);
+    if (!base::is_digit(own->second[0]) && !base::equals_ignoring_case(name, own->second))
+        tell(here, "label " + own->second + " is called " + name);
     return settled = name;
 }
 

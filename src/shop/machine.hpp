@@ -67,6 +67,7 @@ struct ControlDefaults {
 struct ControlSettings {
     std::optional<char> g_code_system;        ///< of FANUC lathes: 'A', 'B', 'C'
     std::optional<bool> whole_numbers_count;  ///< lengths without a point count increments; false: mm, inches, degrees
+    std::optional<double> increments_per_mm;  ///< coordinates count in so many (IS-B: 1000, IS-C: 10000)
     std::optional<bool> angles_from_zero;  ///< ATAN is 0 … 360 degrees, ASIN 270 … 90; false: -180 … 180, -90 … 90
 };
 

@@ -32,4 +32,12 @@ double half_step(const Post& post, std::string_view style) {
     return 0;
 }
 
+double least_arc(const Post& post) { return post.increment > 0 ? post.increment : post.least_arc; }
+
+void count_in(Post& post, double increment) {
+    post.increment = increment;
+    for (NumberStyle& style : post.styles)
+        if (style.of_increments) style.decimals = static_cast<int>(std::round(-std::log10(increment)));
+}
+
 }  // namespace obrys::write

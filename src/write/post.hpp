@@ -92,6 +92,10 @@ struct Post {
     Encoding encoding = Encoding::utf8;
     std::optional<SubprogramForm> subprogram;  ///< in the program's file
     std::optional<SubprogramForm> own_file;    ///< in files beside it
+    /// mm: the control takes lengths in such steps and rounds what is finer (least input increment); 0: as written.
+    double increment = 0;
+    double least_arc =
+        0;  ///< mm: such steps of a control whose posts say finer places; ends of arcs within one are one
     std::vector<NumberStyle> styles;
     std::size_t words = 0;                 ///< how many are modal
     std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes
@@ -119,6 +123,8 @@ struct Post {
     std::string function_letters;        ///< of functions that the control has; empty: all
     std::vector<FunctionNumbers> functions_refused;     ///< the control would take them for nothing, or something else
     std::vector<FunctionNumbers> functions_with_speed;  ///< beside which the speed stands
+    std::size_t longest_name = 0;                       ///< of a program; 0: as long as it is
+    bool name_is_plain = false;                         ///< it holds letters, digits, `_`, `-` and points alone
     std::optional<HookText> lua;                        ///< functions that are asked before the templates
     std::set<Command> hooked;                           ///< what it has functions for
     std::set<cl::CycleKind> hooked_cycles;
@@ -140,6 +146,9 @@ using LoadText = std::function<std::optional<std::uint32_t>(const std::string& n
 /// file.
 [[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
                                             base::Diagnostics& diagnostics, const LoadText& load = {});
+
+/// For a control that takes lengths in other increments (mm) than the post says.
+void count_in(Post&, double increment);
 
 /// A post's file as it is written, with all that it extends below it; places in that lie in `texts`.
 [[nodiscard]] std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources,

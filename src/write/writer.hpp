@@ -169,6 +169,7 @@ private:
     [[nodiscard]] bool is_turned_by_control(const cl::Step& step) const;
     [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> turning_form(const FrameStep& step) const;
+    void note_speed(const cl::Spindle&);
     void write_spindle(const cl::Spindle& s);
     void ready_spindle(const cl::Thread& tap);
     void await_coolant();
@@ -191,6 +192,8 @@ private:
     [[nodiscard]] std::vector<double> cuts_of(const cl::Arc& arc, const geom::Vec3& from) const;
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
+    [[nodiscard]] bool is_lost_in_increments(const cl::Arc& arc, const geom::Vec3& start, const geom::Vec3& to,
+                                             const geom::Vec3& centre) const;
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;

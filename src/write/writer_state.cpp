@@ -117,6 +117,18 @@ void Writer::write_datum() {
         note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
 }
 
+/// Where S is a whole number, and the program has another one.
+void Writer::note_speed(const cl::Spindle& s) {
+    const NumberStyle& style = post_.styles[static_cast<std::size_t>(Usual::speed)];
+    if (style.decimals != 0 || std::isnan(s.speed) || s.direction == 0) return;
+    if (std::abs(as_written(s.speed, style) - s.speed) <= 1e-6 * std::abs(s.speed)) return;
+    Note rounded;
+    rounded.fate = Fate::expanded;
+    rounded.what = "S" + base::shortest(s.speed);
+    rounded.instead = "is rounded to a whole number, which S is there";
+    note_at(std::move(rounded));
+}
+
 void Writer::write_spindle(const cl::Spindle& s) {
     const About about(*this, Topic::spindle);
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
@@ -138,6 +150,7 @@ void Writer::write_spindle(const cl::Spindle& s) {
     }
     if (std::isnan(s.speed)) note(Fate::lost, "a speed that is not known");
     if (!std::isnan(s.speed) && !(s.speed == 0 && s.direction == 0)) values_.set(Value::speed, s.speed);
+    note_speed(s);
     if (s.limit != 0) values_.set(Value::limit, s.limit);
     const bool surface = s.mode == cl::SpindleMode::surface;
     const Command command = s.direction > 0   ? (surface ? Command::surface_cw : Command::spindle_cw)

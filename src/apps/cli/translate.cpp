@@ -24,10 +24,11 @@ void print(const driver::Settled& settled, const write::Post& post) {
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s\n",
+        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     proved.feeds_rounded ? ", feeds as their words hold them" : "");
+                     of_increments(proved).c_str(), proved.feeds_rounded ? ", feeds as their words hold them" : "",
+                     proved.speeds_rounded ? ", speeds as their words hold them" : "");
 }
 
 report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, const write::Post& post,
@@ -53,7 +54,7 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     print(settled, post);
     print_diagnostics(s);
-    const int run = driver::exit_code_of_run(s);
+    const int run = driver::exit_code_of_translation(s);
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;
     report::Ledger ledger = ledger_of(s, t, post, target, proof, run);
     ledger.written = !refused && run != 2;
@@ -103,7 +104,7 @@ int translate(const Arguments& arguments) {
         std::fputs("obrys: --keep writes statements, neither staircases nor punched tape: leave it out\n", stderr);
         return 2;
     }
-    const std::string name = program_name(s.program);
+    const std::string name = driver::said_name_in(*post, program_name(s.program), s);
     return a.keep ? translate_kept(s, *post, a, name) : translate_by_motion(s, *post, a, name);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "milled.hpp"
 
 namespace obrys::cli {
@@ -84,6 +85,11 @@ std::string name_of(const Target& target) {
 }
 
 bool shows_texts(const std::string& ledger) { return ledger.ends_with(".html"); }
+
+std::string of_increments(const driver::Proved& p) {
+    if (p.increment == 0) return "";
+    return " (half the control's increment of " + base::shortest(p.increment) + " mm)";
+}
 
 const char* verdict_of(const driver::Proved& p) {
     return p.differs ? "does not do the same" : p.proof == driver::Proof::same ? "does the same" : "not fully compared";

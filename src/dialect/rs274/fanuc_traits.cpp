@@ -187,6 +187,10 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     if (!haas) t.common_call_levels = 4;  // four to ten by series (cnc.wiki, "Writing and calling subprograms")
     t.unit_before_motion = true;
     t.first_rotary_axis_decides = !lathe;
+    // IS-B; the custom macro's variables are rounded so, too (operator's manuals; Haas: "Address Substitution").
+    t.counts_increments = true;
+    t.increments_per_mm = 1000;
+    t.speed_is_whole = true;  // S takes whole numbers, of variables rounded ones (cncarea.com, docs/dialects/fanuc.md)
     t.begins_as_lathe = lathe;
     t.assumes_rest_of_centre = !haas;
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;

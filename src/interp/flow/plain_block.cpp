@@ -41,6 +41,7 @@ struct Scanned {
 Scanned scan(Moving& run, std::uint32_t first, std::uint32_t end) {
     const Unit& unit = run.unit();
     Scanned s;
+    const double increments = increments_of_unit(run);
     if (end - first > most_words) return s;
     for (const Word& w : std::span(unit.words).subspan(first, end - first)) {
         const Code code = program::code_of(w);
@@ -56,8 +57,8 @@ Scanned scan(Moving& run, std::uint32_t first, std::uint32_t end) {
             const bool is_short = w.form < powers_of_ten.size();
             // A feed of 0 is no feed, and is told.
             if (code == Code::feed && (!is_short || w.payload <= 0)) return {};
-            run.block.value[static_cast<std::size_t>(code)] =
-                is_short ? static_cast<double>(w.payload) / powers_of_ten[w.form] : unit.literal(w);
+            const double v = is_short ? static_cast<double>(w.payload) / powers_of_ten[w.form] : unit.literal(w);
+            run.block.value[static_cast<std::size_t>(code)] = code == Code::feed ? v : in_increments(v, increments);
             run.block.reference[static_cast<std::size_t>(code)] = 0;
         } else {  // one that is empty is as though it were not there
             if (code == Code::feed || program::form_of(w) != Form::expression || run.traits->empty_parameters)

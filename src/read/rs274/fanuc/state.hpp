@@ -105,6 +105,7 @@ struct FanucState : State {
 
     // Of the text as a whole.
     bool whole_number_said = false;
+    bool pointed_speed_said = false;  ///< of S with a point, too
     bool c_is_axis = false;  ///< of lathes: C is no chamfer
     bool corner_said = false;
     bool draws = false;  ///< of lathes: A is an angle, so that R and C are words of direct drawing input

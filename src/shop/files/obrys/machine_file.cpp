@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -108,6 +109,15 @@ void read_control(Section& file, Machine& machine) {
     if (const auto system = s.choice("g_code_system", {"A", "B", "C"})) machine.control.g_code_system = "ABC"[*system];
     if (const auto whole = s.choice("whole_numbers", {"increments", "units"}))
         machine.control.whole_numbers_count = *whole == 0;
+    if (const auto step = s.number("increment", Range::positive)) {
+        const double digits = std::round(-std::log10(*step)), per_mm = std::pow(10.0, digits);
+        constexpr double most_digits = 6, noise = 1e-9;
+        if (digits >= 0 && digits <= most_digits && std::abs(*step * per_mm - 1) < noise)
+            machine.control.increments_per_mm = per_mm;
+        else
+            s.error(base::codes::job_value, find(e->value, "increment")->value.where,
+                    "'increment' is 1 mm or a decimal part of it (0.001, 0.0001)");
+    }
     if (const auto angles = s.choice("angles", {"0-360", "180"})) machine.control.angles_from_zero = *angles == 0;
     s.finish();
 }
