@@ -99,7 +99,7 @@ namespace {
 /// A dwell in revolutions of a spindle that is known to turn is one in seconds.
 cl::Step in_seconds(const Item& item) {
     const auto* dwell = std::get_if<cl::Dwell>(&item.step);
-    if (dwell == nullptr || !item.holding) return item.step;
+    if (dwell == nullptr || dwell->seconds != 0 || !item.holding) return item.step;
     const double seconds = cl::seconds_of(*dwell, item.holding->spindle);
     return std::isnan(seconds) ? item.step : cl::Dwell{seconds, 0};
 }
