@@ -120,7 +120,7 @@ std::map<std::string, double> inputs_by_name(const Session& s) {
 }
 
 std::string decimal(double v) {
-    std::string text = base::fixed(v, 4);
+    std::string text = base::fixed(v, 3);  // that every control can take: finer ones add up to others where it rounds
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;
