@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "commands.hpp"
 #include "driver/program_tools.hpp"
 #include "milled.hpp"
@@ -44,7 +45,7 @@ bool set(times::Dynamics& d, const std::string& name, const std::string& value) 
     const std::optional<double> number = base::parse_double(value);
     if (!number || !std::isfinite(*number) || *number < 0) return false;
     if (name == "block_time") return d.block_time = *number, true;
-    if (name == "look_ahead") return d.look_ahead = static_cast<std::size_t>(std::min(*number, 1e9)), true;
+    if (name == "look_ahead") return d.look_ahead = base::clipped<std::size_t>(*number, 0, 1'000'000'000), true;
     if (*number == 0) return false;
     if (name == "tolerance") return d.tolerance = *number, true;
     if (name == "acceleration")

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "cl/unknown_tool.hpp"
 
 namespace obrys::report::time {
@@ -30,7 +31,7 @@ double lost(const Seconds& s) {
 std::string seconds(double s) { return base::fixed(s, s < 100 ? 2 : 1) + " s"; }
 
 std::string clock(double s) {
-    const auto whole = static_cast<long long>(std::llround(std::min(s, 1e12)));
+    const auto whole = base::clipped<long long>(std::round(s), 0, 1'000'000'000'000);
     const auto two = [](long long v) { return (v < 10 ? "0" : "") + std::to_string(v); };
     return std::to_string(whole / 3600) + ":" + two(whole / 60 % 60) + ":" + two(whole % 60) + " h";
 }
@@ -51,7 +52,7 @@ struct Line {
 };
 
 /// Blocks of one line together, the slowest first.
-std::vector<Line> lines_of(const Times& t, const base::Sources& sources) {
+std::vector<Line> slow_lines(const Times& t, const base::Sources& sources) {
     std::vector<Line> lines;
     Place last;
     for (const sim::time::Spent& spent : t.places) {  // in their order, so that those of a line stand together
@@ -82,7 +83,7 @@ std::string tool_name(std::uint32_t number) {
 }
 
 void put_lines(std::string& out, const Times& t, const base::Sources& sources, std::size_t most) {
-    const std::vector<Line> lines = lines_of(t, sources);
+    const std::vector<Line> lines = slow_lines(t, sources);
     if (lines.empty() || most == 0) return;
     const double all = sum(t.all);
     out += "\nslowest lines:\n";
@@ -196,7 +197,7 @@ std::string as_json(const Subject& s, const base::Sources& sources) {
                                 {"seconds", sum(spent)},
                                 {"causes", causes_json(spent)}});
     out["by_line"] = OrderedJson::array();
-    for (const Line& l : lines_of(t, sources))
+    for (const Line& l : slow_lines(t, sources))
         out["by_line"].push_back({{"file", sources[l.file].name},
                                   {"line", l.line},
                                   {"seconds", sum(l.seconds)},

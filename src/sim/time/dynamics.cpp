@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::time {
 namespace {
 
@@ -19,7 +21,8 @@ public:
         d_.path.jerk = take(m.jerk, usual_jerk, "motion.jerk", "mm/s3");
         d_.tolerance = take(m.tolerance, usual_tolerance, "motion.tolerance", "mm");
         d_.block_time = take(m.block_time, 0, "motion.block_time", "s");
-        d_.look_ahead = static_cast<std::size_t>(take(m.look_ahead, 0, "motion.look_ahead", "blocks, 0: without end"));
+        d_.look_ahead = base::clipped<std::size_t>(take(m.look_ahead, 0, "motion.look_ahead", "blocks, 0: without end"),
+                                                   0, 1'000'000'000);
         d_.spindle_time = take(m.spindle_time, usual_spindle_time, "motion.spindle_time", "s for 1000 1/min");
         d_.corner = m.corner ? corner(*m.corner) : CornerMode::filter;
         if (!m.corner) d_.assumed.push_back({"motion.corner", NAN, "filter"});
