@@ -1,6 +1,7 @@
 /// What was written, run again and held against the program.
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 #include "base/codes.hpp"
@@ -16,14 +17,37 @@ namespace obrys::driver {
 
 namespace codes = base::codes;
 
-compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance) {
+double spread_of(const cl::Frame& frame) {
+    geom::Vec3 sum;
+    for (const geom::Vec3& axis : {geom::Vec3{1, 0, 0}, geom::Vec3{0, 1, 0}, geom::Vec3{0, 0, 1}}) {
+        geom::Vec3 v = axis;
+        for (auto part = frame.parts.rbegin(); part != frame.parts.rend(); ++part)
+            v = geom::apply_direction(part->frame, v);
+        sum = sum + geom::Vec3{std::abs(v.x), std::abs(v.y), std::abs(v.z)};
+    }
+    const double most = std::max({sum.x, sum.y, sum.z});
+    return most > 1 ? most : 1;  // one that is not known says nothing
+}
+
+compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance, double spread) {
     constexpr double slack = 1 + 1e-6;
     tolerance.increment = write::least_arc(post);
-    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * slack);
+    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * spread * slack);
     return tolerance;
 }
 
 namespace {
+
+double widest_spread(const cl::Recording& does) {
+    double spread = 1;
+    cl::Recording::Playback stream(does);
+    const auto take = [&](const cl::Record& record) {
+        if (const auto* frame = std::get_if<cl::Frame>(&record.step)) spread = std::max(spread, spread_of(*frame));
+    };
+    while (stream.step(take)) {
+    }
+    return spread;
+}
 
 /// What the written program does otherwise, at the place of the program that it comes from.
 void complain_of(Session& s, const compare::Result& result, const Session& run) {
@@ -153,7 +177,8 @@ std::string_view name_of(Proof proof) {
 
 Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
                     const compare::Tolerance& wanted_tolerance, const OwnValues& values) {
-    const compare::Tolerance tolerance = as_control_counts(post, wanted_tolerance);
+    const compare::Tolerance tolerance = as_control_counts(
+        post, wanted_tolerance, post.increment > 0 && translated.does ? widest_spread(*translated.does) : 1);
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;

@@ -147,7 +147,7 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
     Around out;
     out.before = write::records_of(write::sample_begin(post, tool_radius));
     if (!has_reader) return out;
-    const compare::Tolerance tolerance = as_control_counts(post, {});
+    const compare::Tolerance tolerance = as_control_counts(post, {}, 1);
     const bool by_axes = post.staircase.has_value();
     compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     const WrittenSample written = write_sample(post, out.before, {}, false);
@@ -181,7 +181,10 @@ bool strip_unsaid(compare::Path& path, const write::Sample& sample) {
 
 void read_sample(const write::Post& post, const Around& a, const std::vector<cl::Record>& records,
                  const WrittenSample& written, bool ends, bool moves_known, TriedSample& t) {
-    const compare::Tolerance tolerance = as_control_counts(post, {});
+    double spread = 1;
+    for (const cl::Record& r : records)
+        if (const auto* frame = std::get_if<cl::Frame>(&r.step)) spread = std::max(spread, spread_of(*frame));
+    const compare::Tolerance tolerance = as_control_counts(post, {}, spread);
     const bool by_axes = post.staircase.has_value();
     compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     take_wanted(wanted, post, written, a.before, records, ends);
