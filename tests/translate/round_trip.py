@@ -106,7 +106,7 @@ def written_anew(call, case, options):
         against = str(folder / "obrys_out.job.toml")
         (case.folder / against).write_text(job, encoding="utf-8")
     # A control that counts in increments rounds what is written; translate says how near it then is.
-    near = re.search(r"within ([0-9.e-]+) mm \(half the control's increment", err)
+    near = re.search(r"within ([0-9.e-]+) mm \(the control counts in increments", err)
     done = call("compare", case.program, against, "--format", "json", *options,
                 *(["--tolerance", near.group(1)] if near else []))
     said = done.stderr.decode("utf-8", "replace")

@@ -88,7 +88,7 @@ bool shows_texts(const std::string& ledger) { return ledger.ends_with(".html"); 
 
 std::string of_increments(const driver::Proved& p) {
     if (p.increment == 0) return "";
-    return " (half the control's increment of " + base::shortest(p.increment) + " mm)";
+    return " (the control counts in increments of " + base::shortest(p.increment) + " mm)";
 }
 
 const char* verdict_of(const driver::Proved& p) {

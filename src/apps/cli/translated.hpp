@@ -31,7 +31,7 @@ struct Target {
 /// The ledger of this name is a page, which shows the texts beside it.
 [[nodiscard]] bool shows_texts(const std::string& ledger);
 
-/// " (half the control's increment of 0.001 mm)"; empty where it takes places as they are written.
+/// " (the control counts in increments of 0.001 mm)"; empty where it takes places as they are written.
 [[nodiscard]] std::string of_increments(const driver::Proved& p);
 [[nodiscard]] const char* verdict_of(const driver::Proved& proved);
 
