@@ -28,7 +28,8 @@ std::span<const Remark> Unit::remarks_of(std::uint32_t statement) const {
     const auto [first, last] =
         std::equal_range(remarks.begin(), remarks.end(), Remark{statement, {}},
                          [](const Remark& a, const Remark& b) { return a.statement < b.statement; });
-    return {first, last};
+    return std::span(remarks).subspan(static_cast<std::size_t>(first - remarks.begin()),
+                                      static_cast<std::size_t>(last - first));
 }
 
 void Unit::reserve(std::size_t bytes) {
