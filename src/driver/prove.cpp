@@ -1,12 +1,12 @@
 /// What was written, run again and held against the program.
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 #include "base/codes.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
+#include "driver/increments.hpp"
 #include "driver/not_run.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
@@ -17,37 +17,7 @@ namespace obrys::driver {
 
 namespace codes = base::codes;
 
-double spread_of(const cl::Frame& frame) {
-    geom::Vec3 sum;
-    for (const geom::Vec3& axis : {geom::Vec3{1, 0, 0}, geom::Vec3{0, 1, 0}, geom::Vec3{0, 0, 1}}) {
-        geom::Vec3 v = axis;
-        for (auto part = frame.parts.rbegin(); part != frame.parts.rend(); ++part)
-            v = geom::apply_direction(part->frame, v);
-        sum = sum + geom::Vec3{std::abs(v.x), std::abs(v.y), std::abs(v.z)};
-    }
-    const double most = std::max({sum.x, sum.y, sum.z});
-    return most > 1 ? most : 1;  // one that is not known says nothing
-}
-
-compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance, double spread) {
-    constexpr double slack = 1 + 1e-6;
-    tolerance.increment = write::least_arc(post);
-    tolerance.length = std::max(tolerance.length, 0.5 * post.increment * spread * slack);
-    return tolerance;
-}
-
 namespace {
-
-double widest_spread(const cl::Recording& does) {
-    double spread = 1;
-    cl::Recording::Playback stream(does);
-    const auto take = [&](const cl::Record& record) {
-        if (const auto* frame = std::get_if<cl::Frame>(&record.step)) spread = std::max(spread, spread_of(*frame));
-    };
-    while (stream.step(take)) {
-    }
-    return spread;
-}
 
 /// What the written program does otherwise, at the place of the program that it comes from.
 void complain_of(Session& s, const compare::Result& result, const Session& run) {
@@ -96,18 +66,25 @@ void complain_of_feed(Session& s, const std::optional<cl::Record>& move) {
     s.diagnostics.add(std::move(d));
 }
 
-std::optional<cl::Record> first_without_feed(const cl::Recording& stream) {
+/// What a look through the program's stream says about how it can be compared.
+struct Program {
+    double spread = 1;  ///< the widest of its frames
+    std::optional<cl::Record> without_feed{};
+};
+Program look_through(const cl::Recording& stream) {
+    Program out;
     motion::Cursor cursor;
     cl::Recording::Playback playback(stream);
-    std::optional<cl::Record> found;
     const auto look = [&](const cl::Record& record) {
+        if (const auto* frame = std::get_if<cl::Frame>(&record.step))
+            out.spread = std::max(out.spread, spread_of(*frame));
         const std::optional<motion::Step> step = cursor.take(record);
-        if (!step || found || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
-        if (step->state.feed.value == 0) found = record;
+        if (!step || out.without_feed || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
+        if (step->state.feed.value == 0) out.without_feed = record;
     };
-    while (!found && playback.step(look)) {
+    while (playback.step(look)) {
     }
-    return found;
+    return out;
 }
 
 bool runs_otherwise(const compare::Result& result) {
@@ -177,8 +154,8 @@ std::string_view name_of(Proof proof) {
 
 Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
                     const compare::Tolerance& wanted_tolerance, const OwnValues& values) {
-    const compare::Tolerance tolerance = as_control_counts(
-        post, wanted_tolerance, post.increment > 0 && translated.does ? widest_spread(*translated.does) : 1);
+    const Program program = translated.does ? look_through(*translated.does) : Program{};
+    const compare::Tolerance tolerance = as_control_counts(post, wanted_tolerance, program.spread);
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;
@@ -217,7 +194,7 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.run_complains = stops || (unknown && exit_code_of_translation(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
-    out.without_feed = first_without_feed(*translated.does);
+    out.without_feed = program.without_feed;
     out.proof = unknown || stays || out.without_feed || out.compared.lengths ? Proof::not_compared
                 : out.differs                                                ? Proof::differs
                                                                              : Proof::same;

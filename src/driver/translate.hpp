@@ -24,12 +24,6 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// is none.
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
                                                    PostFor way = PostFor::moves);
-/// How far a step along each axis of a frame may lead along one of the workpiece: 1, more where a frame turns or
-/// scales.
-[[nodiscard]] double spread_of(const cl::Frame& frame);
-/// A control that counts in increments rounds every coordinate to them. `spread`: the widest of the program's frames.
-[[nodiscard]] compare::Tolerance as_control_counts(const write::Post& post, compare::Tolerance tolerance,
-                                                   double spread);
 /// The name as the control takes it (`[file]` of the post); names of programs hold no blanks.
 [[nodiscard]] std::string name_in(const write::Post& post, std::string name);
 /// The same, and says so where it is another one.

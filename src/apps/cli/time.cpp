@@ -96,8 +96,7 @@ int time(const Arguments& a) {
     std::vector<Variant> variants{{"", as_it_is}};
     if (!read_variants(a.variants, as_it_is, variants)) return 2;
     std::vector<times::Timer> timers;
-    const bool lathe = s.job.machine.kind == shop::MachineKind::lathe;
-    for (const Variant& v : variants) timers.emplace_back(s.job.tools, v.dynamics, lathe);
+    for (const Variant& v : variants) timers.emplace_back(s.job.tools, v.dynamics);
     static_cast<void>(driver::interpret(s, [&](const cl::Record& record) {
         for (times::Timer& t : timers) t.take(record);
     }));
@@ -111,7 +110,7 @@ int time(const Arguments& a) {
     print_diagnostics(s, base::Severity::warning);
     if (code == 2 || !may_write(a, s) || s.files->failed()) return 2;
     const times::Times& first = subject.variants.front().times;
-    if (code == 0 && first.untimed + first.untimed_dwells > 0) code = 3;
+    if (code == 0 && !first.is_understood()) code = 3;
     const std::string text = a.format == "json" ? report::time::as_json(subject, s.sources)
                                                 : report::time::as_text(subject, s.sources, {a.lines});
     return deliver(a.output, text) ? code : 2;

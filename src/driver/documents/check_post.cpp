@@ -1,4 +1,5 @@
 #include "driver/documents/check_post.hpp"
+#include "driver/increments.hpp"
 
 #include <algorithm>
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.hpp"
-#include "base/whole.hpp"
 #include "cl/unknown_tool.hpp"
+#include "report/clock.hpp"
 
 namespace obrys::report::time {
 
@@ -29,12 +29,6 @@ double lost(const Seconds& s) {
 }
 
 std::string seconds(double s) { return base::fixed(s, s < 100 ? 2 : 1) + " s"; }
-
-std::string clock(double s) {
-    const auto whole = base::clipped<long long>(std::round(s), 0, 1'000'000'000'000);
-    const auto two = [](long long v) { return (v < 10 ? "0" : "") + std::to_string(v); };
-    return std::to_string(whole / 3600) + ":" + two(whole / 60 % 60) + ":" + two(whole % 60) + " h";
-}
 
 std::string percent(double part, double all) { return base::fixed(all > 0 ? 100 * part / all : 0, 1) + " %"; }
 
@@ -112,10 +106,16 @@ void put_unknown(std::string& out, const Subject& s, const base::Sources& source
     if (t.untimed > 0) {
         const base::Position at = sources.position(t.first_untimed);
         out += "not fully timed: " + std::to_string(t.untimed) +
-               (t.untimed == 1 ? " move whose feed or place is not known: "
-                               : " moves whose feed or place is not known, the first: ") +
+               (t.untimed == 1 ? " move whose feed, place or axis is not known: "
+                               : " moves whose feed, place or axis is not known, the first: ") +
                sources[t.first_untimed.file].name + ":" + std::to_string(at.line) + "\n";
     }
+    if (t.untimed_speeds > 0)
+        out += "not timed: " + std::to_string(t.untimed_speeds) + (t.untimed_speeds == 1 ? " change" : " changes") +
+               " of the spindle's speed, from or to one that is not known\n";
+    if (t.stops > 0)
+        out += "not timed: " + std::to_string(t.stops) + (t.stops == 1 ? " stop" : " stops") +
+               " of the program, for as long as the operator likes\n";
     if (t.from_nowhere > 0)
         out += "not timed: " +
                (t.from_nowhere == 1 ? std::string("the first rapid move, which begins")
@@ -142,9 +142,8 @@ std::string as_text(const Subject& s, const base::Sources& sources, const Option
     const Range range = range_of(s);
     std::string out = s.name + " (" + s.control + ") on " + s.machine + "\n";
     put_unknown(out, s, sources);
-    out += "estimated time: " +
-           std::string(s.not_whole.empty() && t.untimed + t.untimed_dwells + t.from_nowhere == 0 ? "" : "at least ") +
-           seconds(all) + " (" + clock(all) + ")";
+    out += "estimated time: " + std::string(s.not_whole.empty() && t.is_whole() ? "" : "at least ") + seconds(all) +
+           " (" + clock(all) + ")";
     if (range.high > range.low)
         out += ", between " + seconds(range.low) + " and " + seconds(range.high) + " by what is assumed";
     out += "\n" + std::to_string(t.moves) + " moves, " + base::fixed(t.way, 3) + " mm\n\nspent on:\n";
@@ -183,13 +182,15 @@ std::string as_json(const Subject& s, const base::Sources& sources) {
         {"format", "obrys-time"}, {"version", 1}, {"program", s.name}, {"control", s.control}, {"machine", s.machine}};
     out["total_s"] = sum(t.all);
     out["range_s"] = {range.low, range.high};
-    out["complete"] = s.not_whole.empty() && t.untimed + t.untimed_dwells + t.from_nowhere == 0;
+    out["complete"] = s.not_whole.empty() && t.is_whole();
     out["not_whole"] = s.not_whole.empty() ? OrderedJson(nullptr) : OrderedJson(s.not_whole);
     out["moves"] = t.moves;
     out["path_mm"] = t.way;
     out["unplaced_moves"] = t.from_nowhere;
     out["untimed_moves"] = t.untimed;
     out["untimed_dwells"] = t.untimed_dwells;
+    out["untimed_speeds"] = t.untimed_speeds;
+    out["stops"] = t.stops;
     out["causes"] = causes_json(t.all);
     out["tools"] = OrderedJson::array();
     for (const auto& [number, spent] : t.tools)

@@ -27,7 +27,7 @@ std::optional<json> oracle(const std::string& name) {
 }
 #define ORACLE(name, file)                         \
     const std::optional<json> name = oracle(file); \
-    if (!name) GTEST_SKIP() << file << " is not there"
+    if (!name) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/" << file
 
 Limits limits_of(const json& c) { return {c.at("a"), c.value("j", without_end)}; }
 

@@ -79,6 +79,28 @@ Span joined(const End& from, const Pattern& p, double held, double length) {
     return s;
 }
 
+/// Where what is over changes its sign, by regula falsi (Illinois): of two values one fits (f <= 0), one leads beyond,
+/// and what is over grows from the one to the other.
+template <class Over>
+double fitting(double length, double fits, double f_fits, double beyond, double f_beyond, Over over) {
+    for (int i = 0; i < 80 && std::abs(beyond - fits) > relative * std::max(fits, beyond); ++i) {
+        double v = (fits * f_beyond - beyond * f_fits) / (f_beyond - f_fits);
+        if (!(v > std::min(fits, beyond) && v < std::max(fits, beyond))) v = (fits + beyond) / 2;
+        const double f = over(v);
+        if (std::abs(f) <= relative * length) return v;
+        if (f <= 0) {
+            fits = v;
+            f_fits = f;
+            f_beyond /= 2;
+        } else {
+            beyond = v;
+            f_beyond = f;
+            f_fits /= 2;
+        }
+    }
+    return fits;
+}
+
 /// The speed of the pattern that takes just `length`, between one that takes less and one that takes more.
 double speed_for(double length, const End& from, const End& to, double low, double high, const Limits& l) {
     const auto part = [&](const End& e, double v) {
@@ -87,57 +109,24 @@ double speed_for(double length, const End& from, const End& to, double low, doub
         return r ? r->length : 0;
     };
     const auto over = [&](double v) { return part(from, v) + part(to, v) - length; };
-    double f_low = over(low), f_high = over(high);
-    if (f_low >= 0) return low;
-    // Regula falsi (Illinois): the length grows with the speed, so the place stays between both.
-    for (int i = 0; i < 60 && high - low > relative * high; ++i) {
-        double v = (low * f_high - high * f_low) / (f_high - f_low);
-        if (!(v > low && v < high)) v = (low + high) / 2;
-        const double f = over(v);
-        if (f <= 0) {
-            low = v;
-            f_low = f;
-            f_high /= 2;
-        } else {
-            high = v;
-            f_high = f;
-            f_low /= 2;
-        }
-        if (std::abs(f) <= relative * length) break;
-    }
-    return low;
+    const double f_low = over(low);
+    return f_low >= 0 ? low : fitting(length, low, f_low, high, over(high), over);
 }
 
 /// Both ends get faster, and the way is shorter than a while at a held speed needs: less acceleration between them.
 std::optional<Span> flat_rise(double length, const End& from, const End& to, const Limits& l) {
     const Rise r{from.speed, to.speed, from.acceleration, to.acceleration};
     if (!fits(r, l)) return {};
-    double high = std::max({steepest(r, l), r.a0, r.a1});
+    const double high = std::max({steepest(r, l), r.a0, r.a1});
     // With less than this between them, the ends alone gain more speed than is to be gained.
-    double low = std::sqrt(std::max(0.0, (r.a0 * r.a0 + r.a1 * r.a1) / 2 - l.jerk * r.gain()));
-    if (low > 0 && ramp_at(r, low, l).length < length) return {};
-    double over = ramp_at(r, high, l).length - length;
-    if (over > length * relative) return {};
-    double beyond = INFINITY;  // what is over at `low`: without end where there is no acceleration between them
-    for (int i = 0; i < 80 && high - low > relative * high; ++i) {
-        double level = (low * over - high * beyond) / (over - beyond);  // regula falsi (Illinois)
-        if (!(level > low && level < high)) level = (low + high) / 2;
-        const double there = ramp_at(r, level, l).length - length;
-        if (std::abs(there) <= length * relative) {
-            high = level;
-            break;
-        }
-        if (there > 0) {
-            low = level;
-            beyond = there;
-            over /= 2;
-        } else {
-            high = level;
-            over = there;
-            beyond /= 2;
-        }
-    }
-    const Ramp ramp = ramp_at(r, high, l);
+    const double low = std::sqrt(std::max(0.0, (r.a0 * r.a0 + r.a1 * r.a1) / 2 - l.jerk * r.gain()));
+    const auto over = [&](double level) { return ramp_at(r, level, l).length - length; };
+    if (low > 0 && over(low) < 0) return {};
+    const double f_high = over(high);
+    if (f_high > length * relative) return {};
+    // Without acceleration between them the way has no end.
+    const double level = fitting(length, high, f_high, low, INFINITY, over);
+    const Ramp ramp = ramp_at(r, level, l);
     Span s;
     s.from = from;
     s.peak = to.speed;

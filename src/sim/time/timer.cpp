@@ -1,7 +1,7 @@
 #include "sim/time/timer.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <utility>
 
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
@@ -21,6 +21,13 @@ double curvature_of(const cl::Arc& a, double length) {
     return length > 0 ? geom::length(across) * a.sweep * a.sweep / (length * length) : 0;
 }
 
+/// How much of the way each axis may have at some place of an arc.
+geom::Vec3 reach_of(const cl::Arc& a, const geom::Vec3& way) {
+    const auto across = [](double n) { return std::sqrt(std::max(0.0, 1 - n * n)); };
+    const bool rises = std::abs(dot(way, a.normal)) > 0;
+    return rises ? geom::Vec3{1, 1, 1} : geom::Vec3{across(a.normal.x), across(a.normal.y), across(a.normal.z)};
+}
+
 bool known(const geom::Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 double turn_between(const geom::Vec3& a, const geom::Vec3& b) {
@@ -30,8 +37,7 @@ double turn_between(const geom::Vec3& a, const geom::Vec3& b) {
 
 }  // namespace
 
-Timer::Timer(std::span<const shop::Tool> tools, Dynamics dynamics, bool lathe)
-    : dynamics_(std::move(dynamics)), lathe_(lathe), cursor_(tools) {}
+Timer::Timer(std::span<const shop::Tool> tools, Dynamics dynamics) : dynamics_(std::move(dynamics)), cursor_(tools) {}
 
 void Timer::spend(const Piece& piece, Cause cause, double seconds) {
     if (seconds == 0) return;
@@ -70,11 +76,13 @@ void Timer::from_nowhere() {
 
 void Timer::take_spindle(const cl::Record& record, const cl::Spindle& spindle) {
     stop(Cause::exact_stop);
-    // A cutting speed that is held changes the speed with the radius, while the tool moves.
-    if (spindle.mode == cl::SpindleMode::surface && spindle.direction != 0) return;
-    const double speed = std::min(spindle.speed, dynamics_.highest_speed) * spindle.direction;
-    const double change = std::abs(speed - spindle_);
-    spindle_ = speed;
+    const double x = cursor_.position().here().x;
+    const bool held = spindle.mode == cl::SpindleMode::surface;
+    const double most =
+        std::min(motion::spindle_speed(spindle, std::abs(x), dynamics_.highest_speed), dynamics_.highest_speed);
+    const double speed = spindle.direction == 0 ? 0 : held && std::isnan(x) ? NAN : most * spindle.direction;
+    const double change = std::abs(speed - std::exchange(spindle_, speed));
+    if (std::isnan(change)) ++times_.untimed_speeds;
     if (change > 0) spend(record.from, Cause::spindle, change / 1000 * dynamics_.spindle_time);
 }
 
@@ -82,12 +90,8 @@ void Timer::take(const cl::Record& record) {
     if (const std::optional<motion::Step> step = cursor_.take(record)) return take_move(*step);
     if (const auto* dwell = std::get_if<cl::Dwell>(&record.step)) {
         stop(Cause::exact_stop);
-        double seconds = dwell->seconds;
-        if (seconds == 0 && dwell->revolutions != 0) {
-            const double radius = std::abs(cursor_.position().here().x);
-            seconds = minute * dwell->revolutions /
-                      motion::spindle_speed(cursor_.state().spindle, radius, dynamics_.highest_speed);
-        }
+        const double seconds = motion::dwell_seconds(*dwell, cursor_.state().spindle, cursor_.position().here().x,
+                                                     dynamics_.highest_speed);
         if (std::isfinite(seconds)) return spend(record.from, Cause::dwell, seconds);
         ++times_.untimed_dwells;
     } else if (const auto* spindle = std::get_if<cl::Spindle>(&record.step)) {
@@ -96,29 +100,42 @@ void Timer::take(const cl::Record& record) {
         if (change->standing) return;
         stop(Cause::exact_stop);
         spend(record.from, Cause::tool_change, dynamics_.tool_change);
-    } else if (std::holds_alternative<cl::Coolant>(record.step) || std::holds_alternative<cl::Auxiliary>(record.step) ||
-               std::holds_alternative<cl::Stop>(record.step)) {
+    } else if (const auto* halt = std::get_if<cl::Stop>(&record.step)) {
+        stop(Cause::exact_stop);
+        if (halt->kind == cl::StopKind::program) ++times_.stops;
+    } else if (std::holds_alternative<cl::Coolant>(record.step) || std::holds_alternative<cl::Auxiliary>(record.step)) {
         stop(Cause::exact_stop);
     }
 }
 
-/// mm/s; NaN: not known.
-double Timer::fed_speed(const motion::Step& step, double length) const {
-    const double radius = std::isnan(step.from.x) ? step.to.x : (step.from.x + step.to.x) / 2;
-    const double turns = motion::spindle_speed(step.state.spindle, std::abs(radius), dynamics_.highest_speed);
-    cl::Feed feed = step.state.feed;
-    if (const auto* thread = std::get_if<cl::Thread>(&step.record.step))
-        feed = {std::abs(thread->pitch), cl::FeedMode::per_rev};
-    const double seconds = motion::feed_seconds(feed, length, turns);
-    return seconds > 0 ? length / seconds : NAN;
+/// How far additional axes go along with a move, and from here on where they stand.
+Timer::Turns Timer::take_turns(const cl::Step& step) {
+    Turns turns;
+    for (const cl::AxisEnd& end : *cl::ends_of(step)) {
+        const std::string name(cl::name_of(end.name));
+        const auto stood = stand_.find(name);
+        const auto limits = dynamics_.others.find(name);
+        if (stood == stand_.end()) turns.begins_nowhere = true;
+        const double way = stood == stand_.end() ? NAN : std::abs(end.to - stood->second);
+        if (way > 0 && limits != dynamics_.others.end()) turns.ways.emplace_back(&limits->second, way);
+        if (std::isnan(end.to) || (way > 0 && limits == dynamics_.others.end())) turns.unknown = true;
+        if (std::isnan(end.to))
+            stand_.erase(name);
+        else
+            stand_[name] = end.to;
+    }
+    return turns;
 }
 
 void Timer::take_move(const motion::Step& step) {
     ++times_.moves;
     const double length = cl::move_length(step.from, step.record.step);
-    if (!std::isfinite(length)) {
-        if (!begun_ && step.rapid) return from_nowhere();
-        return untimed(step);
+    const Turns turns = take_turns(step.record.step);
+    const bool known = std::isfinite(length);
+    if (turns.unknown || (!known && begun_)) return untimed(step);
+    if (!known || turns.begins_nowhere) {
+        if (known) begun_ = true;
+        return step.rapid ? from_nowhere() : untimed(step);
     }
     begun_ = true;
     const cl::PathMode* path = step.state.path ? &*step.state.path : nullptr;
@@ -126,7 +143,7 @@ void Timer::take_move(const motion::Step& step) {
     if (step.rapid || last_rapid_ || (path != nullptr && path->kind == cl::PathKind::exact_stop))
         stop(Cause::exact_stop);
     last_rapid_ = step.rapid;
-    if (length == 0) return take_turn(step);
+    if (length == 0) return take_turn(step, turns);
     times_.way += length;
     if (const auto* spline = std::get_if<cl::Spline>(&step.record.step)) {
         const geom::Cubic curve = cl::forward(*spline);
@@ -134,68 +151,53 @@ void Timer::take_move(const motion::Step& step) {
         geom::Vec3 from = point_at(curve, 0);
         for (int i = 1; i <= parts; ++i) {
             const geom::Vec3 to = point_at(curve, static_cast<double>(i) / parts);
-            if (const double part = geom::distance(from, to); part > 0) add(step, part, from, to, 0);
+            if (const double part = geom::distance(from, to); part > 0) add(step, part, from, to, 0, turns);
             from = to;
         }
         return;
     }
     const auto* arc = std::get_if<cl::Arc>(&step.record.step);
-    add(step, length, step.from, step.to, arc != nullptr ? curvature_of(*arc, length) : 0);
+    add(step, length, step.from, step.to, arc != nullptr ? curvature_of(*arc, length) : 0, turns);
 }
 
-/// Rotary axes alone.
-void Timer::take_turn(const motion::Step& step) {
-    double seconds = 0;
-    for (const cl::AxisEnd& end : *cl::ends_of(step.record.step)) {
-        const std::string name(end.name.data(), strnlen(end.name.data(), end.name.size()));
-        const double way = std::abs(end.to - stand_[name]);
-        stand_[name] = end.to;
-        const auto limits = dynamics_.others.find(name);
-        if (!(way > 0) || limits == dynamics_.others.end()) continue;
-        const AxisLimits& l = limits->second;
-        // Degrees per minute is what a feed says of a rotary axis that moves alone.
-        const double asked = step.rapid ? l.speed : std::min(l.speed, step.state.feed.value / minute);
-        if (!(asked > 0)) return untimed(step);
-        if (const auto span = plan_span(way, {}, {}, asked, {l.acceleration, l.jerk}))
+/// Additional axes alone. Degrees per minute is what a feed says of a rotary one.
+void Timer::take_turn(const motion::Step& step, const Turns& turns) {
+    if (turns.ways.empty()) return;
+    const cl::Feed& feed = step.state.feed;
+    const bool by_time = !step.rapid && feed.mode == cl::FeedMode::inverse_time;
+    if (!step.rapid && (!(feed.value > 0) || feed.mode == cl::FeedMode::per_rev)) return untimed(step);
+    double seconds = by_time ? minute / feed.value : 0;
+    for (const auto& [limits, way] : turns.ways) {
+        const double asked = step.rapid || by_time ? limits->speed : std::min(limits->speed, feed.value / minute);
+        if (const auto span = plan_span(way, {}, {}, asked, {limits->acceleration, limits->jerk}))
             seconds = std::max(seconds, span->seconds);
     }
-    if (seconds == 0) return;
     stop(Cause::exact_stop);
     spend(step.record.from, step.rapid ? Cause::rapid : Cause::feed, seconds);
 }
 
-/// Additional axes that go along, and may be slower than the path.
-void Timer::limit_by_turning(const motion::Step& step, double length, Block& block, Piece& piece) const {
-    for (const cl::AxisEnd& end : *cl::ends_of(step.record.step)) {
-        const std::string name(end.name.data(), strnlen(end.name.data(), end.name.size()));
-        const auto stood = stand_.find(name);
-        const auto limits = dynamics_.others.find(name);
-        const double way = stood != stand_.end() ? std::abs(end.to - stood->second) : std::abs(end.to);
-        if (!(way > 0) || limits == dynamics_.others.end()) continue;
-        const double speed = limits->second.speed * length / way;
-        if (speed < block.speed) block.speed = speed, piece.most = Cause::axis_speed;
-    }
-}
-
-void Timer::add(const motion::Step& step, double length, const geom::Vec3& from, const geom::Vec3& to,
-                double curvature) {
+void Timer::add(const motion::Step& step, double length, const geom::Vec3& from, const geom::Vec3& to, double curvature,
+                const Turns& turns) {
     // Coordinates that nobody knows do not move.
     geom::Vec3 way = to - from;
     for (std::size_t i = 0; i < 3; ++i)
         if (double& part = i == 0 ? way.x : i == 1 ? way.y : way.z; std::isnan(part)) part = 0;
     const bool straight = curvature == 0;
     const geom::Vec3 direction = straight ? (1 / geom::length(way)) * way : geom::Vec3{};
-    WayLimits own = straight ? along(dynamics_, direction) : along(dynamics_, {1, 1, way.z == 0 ? 0.0 : 1});
+    const WayLimits own = along(dynamics_, straight ? direction : reach_of(std::get<cl::Arc>(step.record.step), way));
     Piece piece;
     piece.place = {step.record.from.file, step.record.from.begin};
     piece.tool = step.state.change.number;
     piece.asked = piece.most = step.rapid ? Cause::rapid : Cause::feed;
-    piece.fed = step.rapid ? own.speed : fed_speed(step, length);
+    piece.fed = step.rapid ? own.speed : length / motion::feed_seconds(step, length, dynamics_.highest_speed);
     if (!(piece.fed > 0)) return untimed(step);
     Block block{length, piece.fed, own.limits, INFINITY};
     const double axes = step.rapid ? own.speed : std::min(own.speed, dynamics_.most_feed);
     if (axes < block.speed) block.speed = axes, piece.most = Cause::axis_speed;
-    limit_by_turning(step, length, block, piece);
+    // Additional axes go along, and may be slower than the path.
+    for (const auto& [limits, turned] : turns.ways)
+        if (const double speed = limits->speed * length / turned; speed < block.speed)
+            block.speed = speed, piece.most = Cause::axis_speed;
     const CornerSpeed bent = curve_speed(curvature, block.speed, own.limits);
     if (bent.by != CornerLimit::none) block.speed = bent.speed, piece.most = Cause::curvature;
     if (dynamics_.block_time > 0 && length / dynamics_.block_time < block.speed)
@@ -203,8 +205,6 @@ void Timer::add(const motion::Step& step, double length, const geom::Vec3& from,
     join(straight ? direction : cl::first_direction(step.from, step.record.step), length, step);
     piece.leaves = straight ? direction : cl::last_direction(step.from, step.record.step);
     piece.sharpness = straight ? length : 0;
-    for (const cl::AxisEnd& end : *cl::ends_of(step.record.step))
-        stand_[std::string(end.name.data(), strnlen(end.name.data(), end.name.size()))] = end.to;
     blocks_.push_back(block);
     pieces_.push_back(piece);
     if (blocks_.size() >= most_waiting) plan_piece();

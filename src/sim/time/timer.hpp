@@ -15,8 +15,8 @@ namespace obrys::sim::time {
 
 class Timer {
 public:
-    /// `tools` outlives the timer. `lathe`: x is a radius, and the spindle turns the workpiece.
-    Timer(std::span<const shop::Tool> tools, Dynamics dynamics, bool lathe);
+    /// `tools` outlives the timer.
+    Timer(std::span<const shop::Tool> tools, Dynamics dynamics);
     void take(const cl::Record& record);
     /// Behind the last record; to be called once.
     [[nodiscard]] Times finish();
@@ -32,12 +32,19 @@ private:
         double sharpness = 0;              ///< mm: its length as a neighbour of a corner
     };
 
+    /// Of the additional axes that a move takes along: what each can, and how far it goes.
+    struct Turns {
+        std::vector<std::pair<const AxisLimits*, double>> ways;
+        bool begins_nowhere = false;  ///< where one of them stood nobody knows
+        bool unknown = false;         ///< where one goes nobody knows, or how fast
+    };
+
     void take_move(const motion::Step& step);
-    void take_turn(const motion::Step& step);
-    void add(const motion::Step& step, double length, const geom::Vec3& from, const geom::Vec3& to, double curvature);
+    [[nodiscard]] Turns take_turns(const cl::Step& step);
+    void take_turn(const motion::Step& step, const Turns& turns);
+    void add(const motion::Step& step, double length, const geom::Vec3& from, const geom::Vec3& to, double curvature,
+             const Turns& turns);
     void join(const geom::Vec3& direction, double length, const motion::Step& step);
-    void limit_by_turning(const motion::Step& step, double length, Block& block, Piece& piece) const;
-    [[nodiscard]] double fed_speed(const motion::Step& step, double length) const;
     void spend(const Piece& piece, Cause cause, double seconds);
     void spend(const base::Span& from, Cause cause, double seconds);
     void untimed(const motion::Step& step);
@@ -53,7 +60,6 @@ private:
     [[nodiscard]] Cause cause_at(std::uint32_t place, const Block& block) const;
 
     Dynamics dynamics_;
-    bool lathe_;
     motion::Cursor cursor_;
     Times times_;
     std::vector<Block> blocks_;

@@ -37,7 +37,7 @@ cl::Linear rapid_to(geom::Vec3 to) { return {to, {0, 0, 1}, true}; }
 double of(const Times& t, Cause c) { return t.all[static_cast<std::size_t>(c)]; }
 
 Times timed(const std::vector<cl::Record>& records, const Dynamics& d) {
-    Timer timer({}, d, false);
+    Timer timer({}, d);
     for (const cl::Record& r : records) timer.take(r);
     return timer.finish();
 }
@@ -109,13 +109,55 @@ TEST(Timed, what_nobody_knows_is_in_no_sum) {
 
 TEST(Timed, a_rotary_axis_holds_the_path_up_and_moves_alone) {
     cl::AxisEnd half_turn{{'C'}, 180, true, false};
+    cl::AxisEnd level = half_turn;
+    level.to = 0;
+    cl::Linear first = rapid_to({0, 0, 0});
+    first.ends = {level};
     cl::Linear together = line_to({1, 0, 0});
     together.ends = {half_turn};
-    const Times t = timed({cl::Feed{6000}, together});
+    const Times t = timed({first, cl::Feed{6000}, together});
     EXPECT_GT(of(t, Cause::axis_speed), 2.9);  // 180 degrees at 60 degrees/s
     cl::Linear alone = rapid_to({0, 0, 0});
     alone.ends = {half_turn};
-    EXPECT_GT(of(timed({alone}), Cause::rapid), 3);
+    EXPECT_GT(of(timed({first, alone}), Cause::rapid), 3);
+    EXPECT_EQ(timed({alone}).from_nowhere, 2U);  // where the axis stood nobody knows
+    EXPECT_EQ(timed({cl::Feed{6000}, together}).untimed, 1U);
+}
+
+TEST(Timed, axes_that_the_machine_does_not_have_or_that_go_nobody_knows_where_are_not_timed) {
+    for (const cl::AxisEnd& end : {cl::AxisEnd{{'B'}, 30, true, false}, cl::AxisEnd{{'C'}, NAN, true, false}}) {
+        cl::AxisEnd level = end;
+        level.to = 0;
+        cl::Linear first = rapid_to({0, 0, 0}), next = first;
+        first.ends = {level};
+        next.ends = {end};
+        const Times t = timed({first, next});
+        EXPECT_EQ(t.untimed, 1U);
+        EXPECT_FALSE(t.is_understood());
+    }
+}
+
+TEST(Timed, speeds_by_an_unknown_radius_and_stops_are_said_and_not_taken_as_nothing) {
+    const cl::Spindle held{150, cl::SpindleMode::surface, 1};
+    const std::vector<cl::Record> unknown{rec(held), rec(cl::Stop{cl::StopKind::program})};
+    const Times t = timed(unknown, dynamics());
+    EXPECT_EQ(t.untimed_speeds, 1U);
+    EXPECT_EQ(t.stops, 1U);
+    EXPECT_TRUE(t.is_understood());
+    EXPECT_FALSE(t.is_whole());
+    const Times there = timed({rapid_to({25, 0, 0}), held});
+    EXPECT_NEAR(of(there, Cause::spindle), 150'000 / (50 * geom::pi) / 1000 * 0.5, 1e-9);
+}
+
+/// An arc is held to every axis that moves in its plane, and to no other.
+TEST(Timed, arcs_go_as_fast_as_the_axes_of_their_plane) {
+    Dynamics d = dynamics();
+    d.axes[2].speed = 1;  // mm/s: Z is slow
+    cl::Arc flat{{0, 0, 0}, {20, 0, 0}, {0, 0, 1}, 2 * geom::pi}, standing = flat;
+    standing.normal = {0, 1, 0};
+    const double free = sum(timed({cl::Feed{3000}, flat}, d).all), slow = sum(timed({cl::Feed{3000}, standing}, d).all);
+    EXPECT_LT(free, 4);
+    EXPECT_GT(slow, 100);
 }
 
 TEST(Timed, slow_blocks_and_short_sight_are_named) {

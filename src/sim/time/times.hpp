@@ -57,7 +57,13 @@ struct Times {
     std::uint64_t untimed = 0;       ///< moves whose feed, or whose ends, nobody knows
     base::Span first_untimed{};
     std::uint64_t untimed_dwells = 0;  ///< in revolutions of a spindle whose speed is not known
+    std::uint64_t untimed_speeds = 0;  ///< changes of a spindle's speed from or to one that is not known
+    std::uint64_t stops = 0;           ///< of the program, for as long as its operator likes
     double way = 0;                    ///< mm
+
+    /// Nothing but what any program leaves open: the way to its first place, a speed by a radius that is not known yet.
+    [[nodiscard]] bool is_understood() const { return untimed + untimed_dwells == 0; }
+    [[nodiscard]] bool is_whole() const { return is_understood() && from_nowhere + untimed_speeds + stops == 0; }
 };
 
 }  // namespace obrys::sim::time
