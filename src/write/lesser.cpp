@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::write {
 
 namespace {
@@ -37,7 +39,7 @@ double least_arc(const Post& post) { return post.increment > 0 ? post.increment 
 void count_in(Post& post, double increment) {
     post.increment = increment;
     for (NumberStyle& style : post.styles)
-        if (style.of_increments) style.decimals = static_cast<int>(std::round(-std::log10(increment)));
+        if (style.of_increments) style.decimals = base::clipped(std::round(-std::log10(increment)), 0, 9);
 }
 
 }  // namespace obrys::write
