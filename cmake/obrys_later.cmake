@@ -1,3 +1,4 @@
+include_guard()
 # obrys_later(<target> <library> <include dir> <definition>): the headers of a shared library that is loaded while the
 # program runs (src/base/library), and its name for the loader as a definition. Who makes a .deb finds the package it
 # lies in among the global property obrys_later_packages.
