@@ -70,6 +70,7 @@ Arguments parse(int argc, char** argv) {
                 : c.sheet->parsed()     ? Command::sheet
                 : c.time->parsed()      ? Command::time
                 : c.post->parsed()      ? Command::post
+                : c.make->parsed()      ? Command::make
                                         : Command::version;
     return a;
 }

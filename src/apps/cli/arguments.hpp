@@ -9,11 +9,12 @@
 #include "driver/output_file.hpp"
 #include "driver/session.hpp"
 #include "format/heidenhain/format.hpp"
+#include "make_arguments.hpp"
 #include "post_arguments.hpp"
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, post, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, post, make, version };
 
 struct Arguments {
     Command command = Command::none;
@@ -39,6 +40,7 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
+    MakeArguments make;
     std::string to;                     ///< of translate: a post or a control
     bool keep = false;                  ///< of translate: statement by statement
     int sets = 3;                       ///< of translate --keep: how many sets of other values are run

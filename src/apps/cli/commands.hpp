@@ -13,6 +13,7 @@ namespace obrys::cli {
 [[nodiscard]] int sheet(const Arguments& arguments);
 [[nodiscard]] int time(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
+[[nodiscard]] int make_program(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
 
 }  // namespace obrys::cli

@@ -17,6 +17,7 @@ struct Commands {
     CLI::App* sheet;
     CLI::App* time;
     CLI::App* post;
+    CLI::App* make;
     CLI::App* version;
     CLI::App* help;
 };
