@@ -125,11 +125,13 @@ Made make_groove(const Order& order, groove::Strategy strategy) {
     return made;
 }
 
+bool is_safe(const Made& made) {
+    return !made.refusal && made.proof.gouge <= no_depth && made.proof.rapid_in_stock <= no_depth;
+}
+
 std::string_view verdict_of(const Made& made) {
     if (made.refusal) return "refused";
-    const Proof& p = made.proof;
-    const bool whole = made.strategy == groove::Strategy::single || p.rest <= p.rest_bound + 1e-6;
-    return p.gouge <= no_depth && p.rapid_in_stock <= no_depth && whole ? "clean" : "findings";
+    return is_safe(made) && made.proof.rest <= made.proof.rest_bound + 1e-6 ? "clean" : "findings";
 }
 
 int exit_code_of(const Made& made) { return verdict_of(made) == "clean" ? 0 : 1; }

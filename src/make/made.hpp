@@ -24,6 +24,8 @@ struct Made {
 
 [[nodiscard]] Made make_groove(const Order& order, groove::Strategy strategy);
 
+/// Nothing cuts into the part, no rapid meets stock; more than is meant may be left, as by the first slot alone.
+[[nodiscard]] bool is_safe(const Made& made);
 /// "clean", "findings" or "refused".
 [[nodiscard]] std::string_view verdict_of(const Made& made);
 /// 0, or 1 where there is something to mend.

@@ -1,5 +1,6 @@
 /// obrys make.
 
+#include <algorithm>
 #include <cstdio>
 
 #include "cl/text.hpp"
@@ -89,10 +90,10 @@ int make_program(const Arguments& a) {
     const make::Made made = make::make_groove(*order, strategy);
     const std::string report = a.format == "json" ? make::as_json(*order, made) : make::as_text(*order, made);
     int code = make::exit_code_of(made);
-    if (code == 0 && !a.output.empty()) {
+    if (make::is_safe(made) && !a.output.empty()) {
         const std::string stream = cl::to_text(make::stream_of(*order, made));
         if (!a.to.empty())
-            code = write_program(a, *order, made, stream);
+            code = std::max(code, write_program(a, *order, made, stream));
         else if (!may_write_files(a, {a.output}) || !deliver(a.output, stream))
             code = 2;
     }

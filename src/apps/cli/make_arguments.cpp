@@ -20,7 +20,7 @@ constexpr const char* make_help =
     "  obrys make groove groove.toml --to sinumerik-840d-lathe -o GROOVE.MPF\n"
     "                                                                  the program, and GROOVE.job.toml to check it\n"
     "  obrys make groove groove.toml --compare                         all strategies in a table\n\n"
-    "Nothing is written where a guard refuses the groove, or the verdict is not clean.\n\n"
+    "Nothing is written where a guard refuses the groove, or the path cuts into the part or meets stock at rapid.\n\n"
     "Exit codes: 0 clean, 1 refused or findings, 2 usage or unreadable input, 3 the program could not be compared.";
 
 std::vector<std::string> strategy_words() {

@@ -114,14 +114,17 @@ TEST(GrooveStrategies, ReachWhatIsBinding) {
         EXPECT_LE(d.area, b.strategy == Strategy::plunge_turning ? most + 1e-6 : b.area + 1e-4 * b.area + 1e-6);
         EXPECT_GE(d.feed - d.air, b.least_cut - 1e-3);
         EXPECT_LE(d.widest_plunge, b.width);
-        if (!std::isnan(b.slot)) EXPECT_LE(d.slot, b.slot + 1e-9);
-        if (!std::isnan(b.columns)) EXPECT_EQ(static_cast<double>(d.columns), b.columns);
-        if (!std::isnan(b.full_columns)) EXPECT_EQ(static_cast<double>(d.full_columns), b.full_columns);
-        if (!std::isnan(b.ribs)) EXPECT_EQ(static_cast<double>(d.ribs), b.ribs);
-        if (!std::isnan(b.rib_width) && b.ribs > 0) EXPECT_NEAR(d.rib_width, b.rib_width, 1e-5);
-        if (!std::isnan(b.layers)) EXPECT_EQ(static_cast<double>(d.layers), b.layers);
-        if (!std::isnan(b.thickest_layer)) EXPECT_LE(d.layer, b.thickest_layer + 1e-9);
-        if (!std::isnan(b.least_passes)) EXPECT_GE(static_cast<double>(d.passes), b.least_passes);
+        const auto same = [](std::size_t found, double expected) {
+            return std::isnan(expected) || static_cast<double>(found) == expected;
+        };
+        EXPECT_FALSE(d.slot > b.slot + 1e-9) << d.slot;
+        EXPECT_TRUE(same(d.columns, b.columns)) << d.columns;
+        EXPECT_TRUE(same(d.full_columns, b.full_columns)) << d.full_columns;
+        EXPECT_TRUE(same(d.ribs, b.ribs)) << d.ribs;
+        EXPECT_FALSE(b.ribs > 0 && !(std::abs(d.rib_width - b.rib_width) < 1e-5)) << d.rib_width;
+        EXPECT_TRUE(same(d.layers, b.layers)) << d.layers;
+        EXPECT_FALSE(d.layer > b.thickest_layer + 1e-9) << d.layer;
+        EXPECT_FALSE(static_cast<double>(d.passes) < b.least_passes) << d.passes;
     }
 }
 
