@@ -131,7 +131,7 @@ bool is_safe(const Made& made) {
 
 std::string_view verdict_of(const Made& made) {
     if (made.refusal) return "refused";
-    return is_safe(made) && made.proof.rest <= made.proof.rest_bound + 1e-6 ? "clean" : "findings";
+    return is_safe(made) && made.proof.rest <= made.proof.rest_bound + rest_accuracy ? "clean" : "findings";
 }
 
 int exit_code_of(const Made& made) { return verdict_of(made) == "clean" ? 0 : 1; }

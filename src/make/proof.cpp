@@ -104,7 +104,7 @@ Proof prove(const groove::Request& request, const groove::Contours& contours, gr
     sim::turning::Workpiece workpiece(stock);
     const Region asked_region = above(line_of(wanted, p), p);
     sim::turning::Kept kept(below(line_of(wanted, p), p)), asked(asked_region);
-    const Contour blade = blade_of(request.insert, p.high - wanted.bottom + p.shift);
+    const Contour blade = blade_of(request.insert, p.high - wanted.bottom);
     Proof proof;
     const double before = workpiece.area();
     bool placed = false;
@@ -128,7 +128,7 @@ Proof prove(const groove::Request& request, const groove::Contours& contours, gr
         proof.rest = rest->normal;
         proof.rest_area = rest->area;
     }
-    proof.rest_bound = groove::rest_bound(request, contours, strategy);
+    proof.rest_bound = groove::rest_bound(request, strategy);
     return proof;
 }
 

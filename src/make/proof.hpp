@@ -20,6 +20,9 @@ struct Proof {
 /// Depths below this are none, mm: far below what the simulation's points are apart when they are one.
 inline constexpr double no_depth = 1e-7;
 
+/// As near as the simulation measures how far a rest lies from the contour, mm.
+inline constexpr double rest_accuracy = 5e-5;
+
 [[nodiscard]] Proof prove(const groove::Request& request, const groove::Contours& contours, groove::Strategy strategy,
                           const std::vector<groove::Move>& moves);
 

@@ -90,14 +90,18 @@ std::optional<Refusal> multiple(Blade& blade) {
                        "a rib of " + base::shortest(widest) + " mm is not narrower than the insert of " +
                            base::shortest(w) + " mm: its foot would stay",
                        "give `rib` a part of the insert's width below 1, usually 0.6 to 0.8"};
-    const int full = static_cast<int>(std::ceil((flat + widest) / (w + widest) - nothing));
-    const double rib = full > 1 ? (flat - full * w) / (full - 1) : 0;
+    // Round corners leave room on both sides of a rib: what is between two full cuts must fit the next one's edge.
+    const double round = blade.corner_radius(), between = std::min(widest, w - 4 * round);
+    const double step = between > 0 ? w + between : w - 2 * round;
+    int full = 1 + std::max(0, static_cast<int>(std::ceil((flat - w) / step - nothing)));
+    if (full > 1 && flat - full * w <= 0)  // no ribs: the edges of the full cuts alone make the bottom
+        full = 1 + static_cast<int>(std::ceil((flat - w) / (w - 2 * round) - nothing));
+    const double rib = full > 1 ? (flat - full * w) / (full - 1) : -w;
     Doings& does = blade.doings();
     does.columns = does.full_columns = static_cast<std::size_t>(full);
     const double left = blade.flush(Side::left, bottom), right = blade.flush(Side::right, bottom);
     std::vector<double> u{left};
     for (int i = 1; i < full; ++i) u.push_back(left + (right - left) * i / (full - 1));
-    if (full == 1 && right - left > nothing) u.push_back(right);
     for (const double at : u) blade.peck(at, bottom, blade.manner().peck);
     if (rib > nothing) {
         does.ribs = static_cast<std::size_t>(full - 1);

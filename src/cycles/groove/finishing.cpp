@@ -52,6 +52,8 @@ void finishing(Blade& blade) {
         const bool right = side == Side::right;
         // From outside, with the other corner: the blade would else stand on the crest.
         cut(blade, way.rising, !right);
+        // A round corner would leave a ridge on the crest, where the other one begins.
+        if (!way.rising.empty()) blade.straight(blade.at() + Vec2{-outward(side) * 2 * blade.corner_radius(), 0});
         cut(blade, way.falling, right);
         if (!right) blade.dwell();
     }

@@ -35,7 +35,8 @@ void Blade::rapid(Vec2 to) {
 }
 
 void Blade::link(double u) {
-    const double clearance = manner().clearance, begin = placed_ ? std::min(at_.x, u) : u;
+    // Round corners leave up to their radius of what a sharp blade would have cut.
+    const double clearance = manner().clearance + corner_radius(), begin = placed_ ? std::min(at_.x, u) : u;
     const double end = (placed_ ? std::max(at_.x, u) : u) + width_;
     const double over = stock_.highest(begin, end) + clearance;
     if (!placed_) {

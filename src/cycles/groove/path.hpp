@@ -69,6 +69,7 @@ public:
     [[nodiscard]] bool has_stock(double u, double v) const;
     [[nodiscard]] Vec2 at() const { return at_; }
     [[nodiscard]] double width() const { return width_; }
+    [[nodiscard]] double corner_radius() const { return request_.insert.corner_radius; }
     [[nodiscard]] const Contour& contour() const { return contour_; }
     [[nodiscard]] const Manner& manner() const { return request_.manner; }
     [[nodiscard]] Doings& doings() { return doings_; }

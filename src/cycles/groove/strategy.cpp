@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "base/number.hpp"
+
 namespace obrys::cycles::groove {
 
 namespace {
@@ -69,26 +71,24 @@ Skyline roughed_stock(const Request& r, const Contours& c) {
     return stock;
 }
 
-double rest_bound(const Request& r, const Contours& c, Strategy strategy) {
-    const double round = r.insert.corner_radius, w = r.insert.width, step = r.manner.stepover;
-    double rest = 0;
-    if (round > 0) {
-        for (const Side side : {Side::left, Side::right}) {
-            const double f = r.shape.flank[index(side)];
-            rest = std::max(rest, round * (std::cos(f) + std::sin(f) - 1));
-            // in a sharp corner as far as its circle stays away
-            rest = std::max(rest, round * (1 / std::cos((geom::pi / 2 - f) / 2) - 1));
-        }
-        const double gap = step - w + 2 * round;
-        if (gap > 0) rest = std::max(rest, round - std::sqrt(std::max(0.0, round * round - gap * gap / 4)));
-    }
-    static_cast<void>(c);
+double rest_bound(const Request& r, Strategy strategy) {
+    const double round = r.insert.corner_radius, gap = r.manner.stepover - r.insert.width + 2 * round;
+    // The corner that the path reckons with stands out of the round one by this much, at 45 degrees; a wall that leans
+    // otherwise keeps less: round * (cos + sin - 1).
+    double rest = round * (std::sqrt(2) - 1);
+    if (gap > 0) rest = std::max(rest, round - std::sqrt(std::max(0.0, round * round - gap * gap / 4)));
     return rest + (strategy == Strategy::plunge_turning ? r.manner.lift : 0);
 }
 
 std::variant<Path, Refusal> path_of(const Request& request, const Contours& contours, Strategy strategy) {
     if (std::optional<Refusal> r = refused(request, contours)) return *r;
     const bool finish = strategy == Strategy::finishing;
+    if (finish && request.insert.width > contours.finished.flat() + nothing)
+        return Refusal{Guard::insert_wider,
+                       "the insert of " + base::shortest(request.insert.width) +
+                           " mm is wider than the flat bottom of the finished groove, " +
+                           base::shortest(contours.finished.flat()) + " mm",
+                       "take a narrower insert, or make the inner corners smaller"};
     Blade blade(request, finish ? contours.finished : contours.rough,
                 finish ? roughed_stock(request, contours) : full_stock(request, contours));
     if (std::optional<Refusal> r = make(blade, request, strategy)) return *r;

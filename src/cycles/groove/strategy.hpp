@@ -41,7 +41,7 @@ struct Path {
 [[nodiscard]] Skyline roughed_stock(const Request& request, const Contours& contours);
 
 /// Of what roughing leaves: what the insert's corners and their columns cannot reach, beside `lift` of plunge turning.
-[[nodiscard]] double rest_bound(const Request& request, const Contours& contours, Strategy strategy);
+[[nodiscard]] double rest_bound(const Request& request, Strategy strategy);
 
 // The families; the blade is in no place yet.
 void side_stepping(Blade& blade, Side start);
