@@ -69,7 +69,7 @@ std::string profile_of(const std::vector<groove::Piece>& pieces, const Placing& 
         text += "  {z = " + base::shortest(zx.x) + ", x = " + base::shortest(zx.y);
         if (arc != nullptr && arc->sweep != 0) {
             const bool left = (arc->sweep > 0) == downward;
-            const bool counter = left != placing.mirrors() != placing.turned;
+            const bool counter = left != placing.mirrors();
             text += ", r = " + base::shortest(geom::distance(arc->from, arc->centre)) + ", direction = \"" +
                     (counter ? "ccw" : "cw") + "\"";
         }

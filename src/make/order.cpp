@@ -131,17 +131,14 @@ void read_cutting(shop::Section& file, Reader& reader, Cutting& c) {
 }
 
 /// The bottom of a groove on a bar, and the surface of one in a bore, lie on this side of the axis.
-void look_at_axis(const shop::Section& file, const Order& order, base::Diagnostics& diagnostics) {
+void look_at_axis(const shop::Section& file, const Order& order) {
     const groove::Shape& s = order.request.shape;
     const bool bar = order.placing.surface == Surface::outside && s.p.y - s.depth < 0;
     const bool bore = order.placing.surface == Surface::inside && s.p.y > 0;
     if (bar || bore)
-        diagnostics.add({base::Severity::error,
-                         base::codes::job_value,
-                         shop::place(file, file.has("h") ? "h" : "depth"),
-                         bar ? "the bottom lies beyond the axis of the spindle" : "the surface lies beyond the axis",
-                         bar ? "make the groove less deep: x is a radius" : "give x as a radius above 0",
-                         {}});
+        file.error(base::codes::job_value, shop::place(file, file.has("h") ? "h" : "depth"),
+                   bar ? "the bottom lies beyond the axis of the spindle" : "the surface lies beyond the axis",
+                   bar ? "make the groove less deep: x is a radius" : "give x as a radius above 0");
 }
 
 }  // namespace
@@ -158,7 +155,7 @@ std::optional<Order> read_order(std::uint32_t file, const base::Sources& sources
     read_manner(reader, order);
     read_cutting(section, reader, order.cutting);
     order.tool = static_cast<std::uint32_t>(section.integer("tool", 1, 99'999).value_or(1));
-    if (!found.has_errors()) look_at_axis(section, order, found);
+    if (!found.has_errors()) look_at_axis(section, order);
     section.finish_file(diagnostics);
     if (found.has_errors()) return std::nullopt;
     return order;

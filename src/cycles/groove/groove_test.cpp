@@ -114,8 +114,8 @@ TEST(GrooveStrategies, ReachWhatIsBinding) {
         EXPECT_LE(d.area, b.strategy == Strategy::plunge_turning ? most + 1e-6 : b.area + 1e-4 * b.area + 1e-6);
         EXPECT_GE(d.feed - d.air, b.least_cut - 1e-3);
         EXPECT_LE(d.widest_plunge, b.width);
-        const auto same = [](std::size_t found, double expected) {
-            return std::isnan(expected) || static_cast<double>(found) == expected;
+        const auto same = [](std::size_t count, double expected) {
+            return std::isnan(expected) || static_cast<double>(count) == expected;
         };
         EXPECT_FALSE(d.slot > b.slot + 1e-9) << d.slot;
         EXPECT_TRUE(same(d.columns, b.columns)) << d.columns;
