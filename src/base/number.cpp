@@ -82,16 +82,17 @@ bool append_fixed_by_integers(std::string& out, double value, int decimals) {
     if (!below) return false;
     const double rest = scaled - *below;  // wrong by 1.2e-7 at most, as the product is
     if (std::abs(rest - 0.5) < 1e-6) return false;
-    std::uint32_t digits = *below + (rest > 0.5 ? 1U : 0U);
-    if (digits != 0 && std::signbit(value)) out += '-';
+    const std::uint32_t digits = *below + (rest > 0.5 ? 1U : 0U);
     std::array<char, 16> buffer;
-    auto at = buffer.end();
-    for (int i = 0; i <= decimals || digits != 0; ++i) {
-        if (i == decimals && decimals > 0) *--at = '.';
-        *--at = static_cast<char>('0' + digits % 10);
-        digits /= 10;
-    }
-    out.append(at, buffer.end());
+    char* const end = buffer.data() + buffer.size();
+    char* at = end;
+    std::uint32_t left = digits;
+    for (int i = 0; i < decimals; ++i, left /= 10) *--at = static_cast<char>('0' + left % 10);
+    if (decimals > 0) *--at = '.';
+    do *--at = static_cast<char>('0' + left % 10);
+    while ((left /= 10) != 0);
+    if (digits != 0 && std::signbit(value)) *--at = '-';
+    out.append(at, static_cast<std::size_t>(end - at));
     return true;
 }
 

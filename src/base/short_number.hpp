@@ -2,6 +2,7 @@
 /// Numbers as most words of NC programs hold them, read in one go: at most nine digits, so that the mantissa fits 32
 /// bits.
 
+#include <cstddef>
 #include <cstdint>
 
 #include "base/text.hpp"
@@ -14,25 +15,31 @@ struct ShortNumber {
     const char* end = nullptr;  ///< behind it; null where there is no number, or one with more digits
 };
 
-/// `[+-] digits [. digits]` at `p`, with a point or, where `comma` is set, a comma. A byte that is no digit must stand
+/// `digits [. digits]` at `p`, with a point or, where `comma` is set, a comma. A byte that is no digit must stand
 /// behind the text (a NUL does).
-[[nodiscard]] inline ShortNumber scan_short_number(const char* p, bool comma) {
+[[nodiscard]] inline ShortNumber scan_short_digits(const char* p, bool comma) {
     ShortNumber n;
-    const bool negative = *p == '-';
-    if (negative || *p == '+') ++p;
     std::uint32_t value = 0;
     const char* begin = p;
     for (; is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
-    auto digits = p - begin;
     if (*p == '.' || (comma && *p == ',')) {
         const char* point = p++;
         for (; is_digit(*p); ++p) value = value * 10 + static_cast<std::uint32_t>(*p - '0');
         n.decimals = static_cast<std::uint32_t>(p - point - 1);
-        digits += p - point - 1;
+        ++begin;  // so that digits alone are counted
     }
-    if (digits == 0 || digits > 9) return n;
-    n.mantissa = negative ? -static_cast<std::int32_t>(value) : static_cast<std::int32_t>(value);
+    constexpr std::size_t most = 9;
+    if (const auto digits = static_cast<std::size_t>(p - begin); digits - 1 >= most) return n;
+    n.mantissa = static_cast<std::int32_t>(value);
     n.end = p;
+    return n;
+}
+
+/// `[+-] digits [. digits]`, as above.
+[[nodiscard]] inline ShortNumber scan_short_number(const char* p, bool comma) {
+    const bool negative = *p == '-';
+    ShortNumber n = scan_short_digits(negative || *p == '+' ? p + 1 : p, comma);
+    if (negative) n.mantissa = -n.mantissa;
     return n;
 }
 

@@ -44,9 +44,16 @@ struct MillingSetup {
     int threads = 0;             ///< 0: as many as there are processors; the result is the same
 };
 
+/// How the control ends rapids of several axes where the machine file does not say it.
+struct RapidRule {
+    shop::RapidPath path = shop::RapidPath::straight;
+    std::string setting;  ///< of the control, with which each axis goes by itself; may be empty
+};
+
 /// What the program is held to. Regions lie in the (z, x) plane, x a radius, mm, and are closed to the axis.
 struct Setup {
     shop::Machine machine;
+    RapidRule rapids;
     std::vector<shop::Tool> tools;
     bool tools_given = false;  ///< a tool list was given, even an empty one
     std::optional<geom::Region> stock;

@@ -2,9 +2,11 @@
 /// Records of the stream that move the tool. Lengths in mm, angles in radians, workpiece frame, tool tip; on lathes x
 /// is a radius; NaN: not known. Meaning: docs/cl-stream.md.
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "geom/vec.hpp"
@@ -30,6 +32,9 @@ struct AxisEnd {
     bool counted = false;
     bool operator==(const AxisEnd&) const = default;
 };
+[[nodiscard]] inline std::string_view name_of(const std::array<char, 8>& axis) {
+    return {axis.data(), static_cast<std::size_t>(std::find(axis.begin(), axis.end(), '\0') - axis.begin())};
+}
 /// Of those axes that a move takes along; the others stand where they stood.
 using AxisEnds = std::vector<AxisEnd>;
 

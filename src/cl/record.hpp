@@ -11,7 +11,6 @@
 #include "base/source.hpp"
 #include "cl/brackets.hpp"
 #include "cl/moves.hpp"
-#include "cl/setting.hpp"
 #include "cl/technology.hpp"
 #include "cl/zeros.hpp"
 
@@ -20,8 +19,8 @@ namespace obrys::cl {
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
 using Step = std::variant<Linear, Arc, Spline, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolSelection,
                           ToolData, DatumData, ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, PathMode,
-                          Auxiliary, Output, Override, Setting, CycleBegin, CycleEnd, PartBegin, PartEnd,
-                          CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
+                          Auxiliary, Output, Override, CycleBegin, CycleEnd, PartBegin, PartEnd, CompensationBegin,
+                          CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

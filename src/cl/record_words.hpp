@@ -68,8 +68,6 @@ inline constexpr std::string_view head<Output> = "output";
 template <>
 inline constexpr std::string_view head<Override> = "override";
 template <>
-inline constexpr std::string_view head<Setting> = "setting";
-template <>
 inline constexpr std::string_view head<CycleBegin> = "cycle";
 template <>
 inline constexpr std::string_view head<CycleEnd> = "cycle-end";

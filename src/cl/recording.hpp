@@ -1,6 +1,6 @@
 #pragma once
 /// A stream kept to be gone through once more, in little room: most records are straight moves that differ from the one
-/// before in where they lead (41 bytes each; a whole Record has some hundreds).
+/// before in where they lead (some ten bytes each, where coordinates are decimals; a whole Record has some hundreds).
 
 #include <array>
 #include <cstddef>
@@ -13,6 +13,13 @@
 namespace obrys::cl {
 
 class Recording {
+    /// What the next straight move is told from.
+    struct Last {
+        Record line{
+            Linear{}, {}, 0};  ///< the last straight move that takes no axis along, at the place of the last record
+        std::array<std::int64_t, 3> millionths{};  ///< of X, Y, Z: as last told so
+    };
+
 public:
     /// Appends one.
     void take(const Record& record);
@@ -26,9 +33,11 @@ public:
         bool step(Sink sink);
 
     private:
+        const std::byte* get_line(const std::byte* at, std::uint8_t kind);
+
         const Recording& of_;
         std::size_t next_ = 0, block_ = 0, at_ = 0, whole_ = 0;
-        Linear line_;
+        Last last_;
     };
 
 private:
@@ -36,10 +45,13 @@ private:
     /// Room for `bytes` more in one block.
     std::byte* room(std::size_t bytes);
 
+    void take_line(const Record& record);
+    void take_other(const Record& record);
+
     std::vector<std::unique_ptr<std::byte[]>> blocks_;
     std::vector<std::size_t> ends_;  ///< of each block
     std::vector<Record> whole_;      ///< those whose step is no plain memory
-    Linear line_;                    ///< the last straight move
+    Last last_;
     std::size_t size_ = 0;
 };
 

@@ -147,14 +147,6 @@ inline Step any_step(std::size_t kind) {
             return PartBegin{*rc::gen::element(PartKind::call, PartKind::label, PartKind::repetition), text(),
                              *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>()};
         case 19: return PartEnd{};
-        case 17: {
-            Setting s{static_cast<SettingKind>(*rc::gen::inRange(0, static_cast<int>(SettingKind::pallet_change) + 1)),
-                      *rc::gen::inRange(-1000, 1000),
-                      *rc::gen::inRange(-1000, 1000),
-                      {}};
-            for (double& v : s.values) v = number();
-            return s;
-        }
         case 13: return any_cycle();
         case 14: {
             Spline s{vec(), vec(), vec(), vec(), vec(), {}};
@@ -182,7 +174,7 @@ inline Step any_step(std::size_t kind) {
         case 30: return PathMode{any_of(PathKind::within), number(), number(), *rc::gen::arbitrary<std::uint16_t>()};
         case 29: return DatumData{*rc::gen::arbitrary<std::uint32_t>(), vec(), perhaps(), *rc::gen::arbitrary<bool>()};
         case 31: return ToolSelection{*rc::gen::arbitrary<std::uint32_t>(), text()};
-        case 32:
+        case 17:
             return Output{*rc::gen::arbitrary<std::uint32_t>(), *rc::gen::arbitrary<bool>(), number(),
                           *rc::gen::arbitrary<bool>()};
         case 2: return Override{any_of(OverrideKind::feed_hold), *rc::gen::arbitrary<bool>()};

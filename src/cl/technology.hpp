@@ -3,6 +3,7 @@
 /// value; NaN: not known. Meaning: docs/cl-stream.md.
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 
@@ -52,6 +53,14 @@ struct ToolChange {
     std::uint32_t offset = 0;  ///< number of its offset, where the program names that (T0203: 3); 0: it names an edge
     bool operator==(const ToolChange&) const = default;
 };
+
+/// How long a dwell is while the spindle does `s`, s; NaN: it is counted in revolutions, and how fast they come is not
+/// known.
+[[nodiscard]] inline double seconds_of(const Dwell& dwell, const Spindle& s) {
+    if (dwell.seconds != 0 || dwell.revolutions == 0) return dwell.seconds;
+    const bool turns = s.direction != 0 && s.mode == SpindleMode::rpm && s.speed > 0;
+    return turns ? dwell.revolutions * 60 / s.speed : std::numeric_limits<double>::quiet_NaN();
+}
 
 /// The tool that will be wanted next: a magazine may bring it to where it is changed (T without M6, TOOL DEF).
 struct ToolSelection {

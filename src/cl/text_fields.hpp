@@ -216,13 +216,6 @@ void fields(Io& io, Of<Io, PathMode>& s) {
     io.value("merge", s.merge);
     io.whole("way", s.way);
 }
-template <class Io>
-void fields(Io& io, Of<Io, Setting>& s) {
-    io.setting_kind(s.kind);
-    io.whole(s.number);
-    io.whole(s.second);
-    for (auto& v : s.values) io.number(v);
-}
 
 // --- zeros and frames
 template <class Io>
@@ -246,6 +239,7 @@ void fields(Io& io, Of<Io, Frame>& s) {
         io.flag_is("seq+", p.turn.side, std::int8_t{1});
         io.flag_is("seq-", p.turn.side, std::int8_t{-1});
         io.flag("table", p.turn.table_turns);
+        io.flag("turns", p.turn.by_control);
     });
 }
 

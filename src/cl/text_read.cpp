@@ -91,11 +91,6 @@ public:
         while (words_.ok() && !words_.peek().empty() && words_.peek().front() >= 'a' && words_.peek() != end)
             f(list.emplace_back());
     }
-    void setting_kind(SettingKind& k) {
-        const auto n = base::whole<int>(words_.number(), 0, static_cast<int>(SettingKind::pallet_change));
-        if (!n) words_.fail("there is no such setting");
-        k = static_cast<SettingKind>(n.value_or(0));
-    }
     void letter(char& c) {
         const std::string text = words_.quoted();
         if (text.size() != 1) words_.fail("expected one letter");

@@ -71,9 +71,6 @@ struct Mark {
     void operator()(Programmed& s) const {
         mark(s.from), mark(s.to), mark(s.centre), mark(s.normal), mark(s.sweep), mark(s.size), mark(s.corner_feed);
     }
-    void operator()(Setting& s) const {
-        for (double& v : s.values) mark(v);
-    }
     void operator()(CycleBegin& s) const {
         Cycle c = *s.cycle;
         for (CycleValue& v : c.values) mark(v.value);

@@ -10,6 +10,8 @@ namespace obrys::cl {
 double Words::number() {
     if (!ok()) return 0;
     const std::string_view w = word();
+    // Nearly all are plain decimals.
+    if (const base::NumberScan n = base::scan_decimal(w); n.decimal && n.length == w.size()) return n.value;
     if (w == "?") return std::numeric_limits<double>::quiet_NaN();
     if (w == "inf") return std::numeric_limits<double>::infinity();
     if (w == "-inf") return -std::numeric_limits<double>::infinity();

@@ -83,13 +83,8 @@ public:
     void each_word(const List& list, std::string_view, F f) {
         each_text(list, f);
     }
-    void setting_kind(SettingKind k) { whole(static_cast<int>(k)); }
     void letter(char c) { quoted({&c, 1}); }
-    void axis_name(const std::array<char, 8>& name) {
-        std::size_t length = 0;
-        while (length < name.size() && name[length] != 0) ++length;
-        quoted({name.data(), length});
-    }
+    void axis_name(const std::array<char, 8>& name) { quoted(name_of(name)); }
     void cycle(const CycleBegin& s) { fields(*this, *s.cycle, s); }
     void fail(const char*) {}
 

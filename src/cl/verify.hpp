@@ -64,7 +64,6 @@ private:
     void check(const Record&, const ToolSelection&) {}
     void check(const Record&, const Override&) {}
     void check(const Record&, const Auxiliary&) {}
-    void check(const Record&, const Setting&) {}
 
     base::Diagnostics& diagnostics_;
     VerifyOptions options_;

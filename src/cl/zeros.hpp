@@ -43,6 +43,8 @@ enum class FrameKind : std::uint8_t {
 struct PlaneTurn {
     std::int8_t side = 0;      ///< SEQ: the sign of the master axis; 0: the control chooses
     bool table_turns = false;  ///< TABLE ROT: a table turns where turning the coordinates alone would do
+    /// The control turns the rotary axes to it, and where they then stand only the machine knows: no move tells it.
+    bool by_control = false;
     bool operator==(const PlaneTurn&) const = default;
 };
 struct FramePart {

@@ -25,7 +25,8 @@ const Difference* Result::of(Aspect a) const {
 
 bool Result::is_equal(Aspect a) const { return of(a) == nullptr && !(looked_to && holds(a)); }
 
-Comparison::Comparison(const Tolerance& t) : own_{Path(t.length, t.is_axis_by_axis), Path(t.length, t.is_axis_by_axis)} {
+Comparison::Comparison(const Tolerance& t)
+    : own_{Path(t.length, t.is_axis_by_axis), Path(t.length, t.is_axis_by_axis)} {
     walk_ = std::make_unique<Walk>(*own_[0], *own_[1], t);
 }
 

@@ -70,7 +70,11 @@ struct Tolerance {
     double angle = 1e-3;   ///< degrees, of additional axes and of values in degrees
     double share = 1e-6;   ///< of speeds, feeds and factors
     double on_arcs = 0;    ///< mm, between places on arcs but their ends, where that is more than `length`
-    double feed_step = 0;  ///< feeds may lie so far apart, in their units, and no more than a thousandth
+    /// mm: one of them counts in such increments; a move that is no longer may be missing, while all places lie within
+    /// `length`.
+    double increment = 0;
+    double speed_step = 0;  ///< spindle speeds may lie so far apart, in their units
+    double feed_step = 0;   ///< feeds may lie so far apart, in their units, and no more than a thousandth
     /// Both are of one control: zeros of other numbers are other zeros, also where nobody knows their places, and
     /// a length that one of them never compensates is missing there.
     bool same_control = false;

@@ -183,6 +183,15 @@ TEST(Compare, WhatHoldsWhileTheToolStands) {
     EXPECT_EQ(differences(waits({true, false}), waits({true, false})), "");
 }
 
+TEST(Compare, ADwellInRevolutionsIsOneInSecondsWhereTheSpindleTurns) {
+    const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1};
+    EXPECT_EQ(
+        differences({turns, line(10), cl::Dwell{0, 20}, line(20)}, {turns, line(10), cl::Dwell{1.2, 0}, line(20)}), "");
+    EXPECT_EQ(differences({turns, line(10), cl::Dwell{0, 20}, line(20)}, {turns, line(10), cl::Dwell{2, 0}, line(20)}),
+              "events");
+    EXPECT_EQ(differences({line(10), cl::Dwell{0, 20}, line(20)}, {line(10), cl::Dwell{1.2, 0}, line(20)}), "events");
+}
+
 TEST(Compare, AnotherToolAtTheSameNumbersIsAMove) {
     const Steps there{line(10), cl::ToolChange{2, 1, ""}, line(10), line(20)};
     EXPECT_EQ(differences(there, {line(10), cl::ToolChange{2, 1, ""}, line(20)}), "motion");
@@ -199,6 +208,41 @@ TEST(Compare, AnAxisThatIsCountedOtherwiseMoves) {
     };
     EXPECT_EQ(differences(turned(false), turned(false)), "");
     EXPECT_EQ(differences(turned(false), turned(true)), "motion");
+}
+
+/// Of a control that counts in thousandths: B holds each place to half of them.
+TEST(Compare, WhatIsLostInTheIncrementsOfAControl) {
+    const auto said = [](const Steps& a, const Steps& b, double increment) {
+        Tolerance t;
+        t.length = 0.0005 * (1 + 1e-6);
+        t.increment = increment;
+        std::string out;
+        const Path p = path_of(a), q = path_of(b);
+        for (const Difference& d : compare(p, q, t).first) out += std::string(name_of(d.aspect)) + " ";
+        return out;
+    };
+    const Steps fine{cl::Feed{100}, line(10), line(10.0006), line(10.0012), cl::Stop{}, line(20)};
+    const Steps counted{cl::Feed{100}, line(10), line(10.001), cl::Stop{}, line(20)};
+    EXPECT_EQ(said(fine, counted, 0.001), "");
+    EXPECT_NE(said(fine, counted, 0), "");
+    EXPECT_NE(said({line(10), line(10.0008), line(10.0016), line(20)}, {line(10), line(20.0011)}, 0.001), "")
+        << "places do not drift";
+    EXPECT_NE(said({line(10), line(10.002), line(10, 0.002)}, {line(10), line(10, 0.002)}, 0.001), "");
+}
+
+TEST(Compare, SpeedsThatTheirWordHolds) {
+    const auto at = [](double speed) { return Steps{cl::Spindle{speed, cl::SpindleMode::rpm, 1}, line(10), line(20)}; };
+    const auto same = [&](double a, double b, double step) {
+        Tolerance t;
+        t.speed_step = step;
+        const Path p = path_of(at(a)), q = path_of(at(b));
+        return compare(p, q, t).first.empty();
+    };
+    EXPECT_TRUE(same(1000.4, 1000, 0.5));
+    EXPECT_FALSE(same(1000.4, 1000, 0));
+    EXPECT_FALSE(same(1000.4, 1001, 0.5));
+    EXPECT_FALSE(same(4.5, 5, 0.5)) << "a tenth of it";
+    EXPECT_FALSE(same(0.4, 0, 0.5));
 }
 
 }  // namespace

@@ -36,7 +36,7 @@ void Follower::pass() {
     if (line != nullptr) tool_ = line->axis;
     if (curve != nullptr) tool_ = curve->axis;
     line_z_ = line != nullptr ? std::optional(line->to.z) : std::nullopt;
-    ground_ = m.holding;
+    if (ground_ != m.holding) ground_ = m.holding;
     rest_.reset();
     ++next_;
 }

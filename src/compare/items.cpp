@@ -48,8 +48,13 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
         for (Side& s : sides_) ++s.next, s.at.pop_front();
     }
     for (const std::size_t side : {0U, 1U})
-        if (!over_ && is_lone(side, reached) && !(reached.ended && !needs_end(like, side) && is_quiet_end(side)))
-            add_lone(side, found);
+        if (!over_ && is_lone(side, reached)) {
+            const bool quiet = reached.ended && !needs_end(like, side) && is_quiet_end(side);
+            if (!quiet)
+                add_lone(side, found);
+            else if (!like.is_written_from_a())
+                add_unsaid_end(side, found);
+        }
     if (over_) drop();
 }
 
@@ -77,9 +82,33 @@ void ItemPairs::add_lone(std::size_t side, Found& found) {
                   "the other has " + words(item.step) + ", too");
 }
 
+/// The machine stands still in both; what M30 does besides (the program from its beginning, reset) is said by one
+/// alone.
+void ItemPairs::add_unsaid_end(std::size_t side, Found& found) const {
+    if (found.has(aspect_)) return;
+    const Item& item = sides_[side].head();
+    const Item* const none = nullptr;
+    found.add(aspect_, side == 0 ? &item : none, side == 0 ? none : &item, item.moves,
+              side == 0 ? "the end of the program, which the other does not say"
+                        : "the other says the end of the program, this one does not");
+    found.all.back().is_done = false;
+}
+
+namespace {
+
+/// A dwell in revolutions of a spindle that is known to turn is one in seconds.
+cl::Step in_seconds(const Item& item) {
+    const auto* dwell = std::get_if<cl::Dwell>(&item.step);
+    if (dwell == nullptr || dwell->seconds != 0 || !item.holding) return item.step;
+    const double seconds = cl::seconds_of(*dwell, item.holding->spindle);
+    return std::isnan(seconds) ? item.step : cl::Dwell{seconds, 0};
+}
+
+}  // namespace
+
 void ItemPairs::compare_pair(const Likeness& like, Found& found) {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
-    over_ = !like.steps(a.step, b.step);
+    over_ = !like.steps(a.step, b.step) && !like.steps(in_seconds(a), in_seconds(b));
     if (over_) return found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
     if (a.changes_side != b.changes_side)
         found.add(aspect_, &a, &b, a.moves,
@@ -103,6 +132,10 @@ void ItemPairs::compare_state(const Likeness& like, Found& found) const {
         std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
     if (!waits || !a.holding || !b.holding) return;
     const Holding &h = *a.holding, &k = *b.holding;
+    // What was written may stop for longer what the program lets run: its own control's stop does that, and says so.
+    const bool rests = stop != nullptr && like.is_written_from_a() && k.spindle.direction == 0 && !k.spindle.held &&
+                       k.coolant == cl::Coolant{};
+    if (rests) return;
     if (!found.has(Aspect::spindle) && !like(h.spindle, k.spindle))
         found.add(Aspect::spindle, &a, &b, a.moves, words(h.spindle) + "; in the other " + words(k.spindle));
     if (!found.has(Aspect::coolant) && !like(h.coolant, k.coolant))

@@ -25,6 +25,7 @@ public:
     /// Of those before this nobody asks any more.
     [[nodiscard]] std::size_t done(std::size_t side) const { return sides_[side].next; }
     [[nodiscard]] std::size_t waiting(std::size_t side) const { return sides_[side].items->size() - done(side); }
+    [[nodiscard]] bool any_waits() const { return waiting(0) + waiting(1) != 0; }
 
 private:
     struct Side {
@@ -36,6 +37,7 @@ private:
     void compare_pair(const Likeness& like, Found& found);
     void compare_state(const Likeness& like, Found& found) const;
     void add_lone(std::size_t side, Found& found);
+    void add_unsaid_end(std::size_t side, Found& found) const;
     [[nodiscard]] bool is_quiet_end(std::size_t side) const;
     [[nodiscard]] bool is_lone(std::size_t side, const Reached& reached) const;
     void drop();

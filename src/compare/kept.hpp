@@ -1,7 +1,9 @@
 #pragma once
-/// A sequence that is read from its front and forgotten there; what is left keeps its numbers.
+/// A sequence that is read from its front and forgotten there; what is left keeps its numbers. Stands in a ring, whose
+/// room is used again.
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace obrys::compare {
@@ -9,26 +11,41 @@ namespace obrys::compare {
 template <class T>
 class Kept {
 public:
-    void push_back(T item) { items_.push_back(std::move(item)); }
+    /// One more at the end, to be filled: it may still hold what one that is forgotten held.
+    [[nodiscard]] T& grow() {
+        if (count_ == ring_.size()) widen();
+        return place(count_++);
+    }
+    void push_back(T item) { grow() = std::move(item); }
     /// Of all that there ever were.
-    [[nodiscard]] std::size_t size() const { return gone_ + items_.size(); }
-    [[nodiscard]] bool none_left() const { return items_.empty(); }
-    [[nodiscard]] const T& operator[](std::size_t i) const { return items_[i - gone_]; }
-    [[nodiscard]] T& back() { return items_.back(); }
-    [[nodiscard]] const T& back() const { return items_.back(); }
-    [[nodiscard]] auto begin() { return items_.begin(); }
-    [[nodiscard]] auto end() { return items_.end(); }
-    /// Those before `i`: now, or when there are enough of them for that to cost nothing to speak of.
+    [[nodiscard]] std::size_t size() const { return gone_ + count_; }
+    [[nodiscard]] bool none_left() const { return count_ == 0; }
+    [[nodiscard]] const T& operator[](std::size_t i) const { return place(i - gone_); }
+    [[nodiscard]] T& operator[](std::size_t i) { return place(i - gone_); }
+    [[nodiscard]] T& back() { return place(count_ - 1); }
+    [[nodiscard]] const T& back() const { return place(count_ - 1); }
+    /// Those before `i`.
     void forget(std::size_t i) {
         const std::size_t done = i - gone_;
-        if (done < 64 || 2 * done < items_.size()) return;
-        items_.erase(items_.begin(), items_.begin() + static_cast<std::ptrdiff_t>(done));
+        first_ = (first_ + done) & (ring_.size() - 1);
+        count_ -= done;
         gone_ = i;
     }
 
 private:
-    std::vector<T> items_;
-    std::size_t gone_ = 0;
+    [[nodiscard]] T& place(std::size_t n) { return ring_[(first_ + n) & (ring_.size() - 1)]; }
+    [[nodiscard]] const T& place(std::size_t n) const { return ring_[(first_ + n) & (ring_.size() - 1)]; }
+    /// A ring of twice the room, which stays a power of two.
+    void widen() {
+        constexpr std::size_t least = 16;
+        std::vector<T> wider(ring_.empty() ? least : 2 * ring_.size());
+        for (std::size_t i = 0; i < count_; ++i) wider[i] = std::move(place(i));
+        ring_ = std::move(wider);
+        first_ = 0;
+    }
+
+    std::vector<T> ring_;
+    std::size_t first_ = 0, count_ = 0, gone_ = 0;
 };
 
 }  // namespace obrys::compare

@@ -25,6 +25,10 @@ public:
     explicit Likeness(const Tolerance& t) : t_(t) { t_.on_arcs = std::max(t.on_arcs, t.length); }
 
     [[nodiscard]] bool share(double a, double b) const { return near(a, b, t_.share * std::max(1.0, std::abs(a))); }
+    [[nodiscard]] bool speed(double a, double b) const {
+        constexpr double most = 0.05;  // of slow ones: 0.4 1/min is not 0
+        return share(a, b) || std::abs(a - b) <= std::min(t_.speed_step, most * std::abs(a));
+    }
     [[nodiscard]] bool place(const geom::Vec3& a, const geom::Vec3& b) const { return near(a, b, t_.length); }
     [[nodiscard]] bool direction(const geom::Vec3& a, const geom::Vec3& b) const { return near(a, b, 1e-6); }
 
@@ -88,7 +92,7 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::Spindle& a, const cl::Spindle& b) const {
         const bool stands = a.direction == 0 && b.direction == 0;
-        return a.direction == b.direction && (stands || (share(a.speed, b.speed) && a.mode == b.mode)) &&
+        return a.direction == b.direction && (stands || (speed(a.speed, b.speed) && a.mode == b.mode)) &&
                (stands || share(a.limit, b.limit)) && a.held.has_value() == b.held.has_value() &&
                near(a.held.value_or(0), b.held.value_or(0), t_.angle);
     }
@@ -178,6 +182,7 @@ public:
                std::visit([&]<class T>(const T& x) { return (*this)(x, *std::get_if<T>(&b)); }, a);
     }
     [[nodiscard]] double length() const { return t_.length; }
+    [[nodiscard]] double increment() const { return t_.increment; }
     [[nodiscard]] bool same_control() const { return t_.same_control; }
     [[nodiscard]] bool is_written_from_a() const { return t_.is_written_from_a; }
 

@@ -1,5 +1,6 @@
 #include "compare/path.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -90,11 +91,35 @@ bool Path::goes_on(const cl::Record& record) const {
     return std::abs(rise - next_rise) * geom::full_turn <= rounded && std::abs(radius - next_radius) <= rounded;
 }
 
+/// Of a move whose block has not said all of its coordinates since the tool was changed: where the others are nobody
+/// knows.
+geom::Vec3 Path::as_said(geom::Vec3 to, const geom::Vec3& others) const {
+    if (!said_) return to;
+    const auto& place = std::get<cl::MachinePlace>(said_->step);
+    if (!place.axes[0]) to.x = others.x;
+    if (!place.axes[1]) to.y = others.y;
+    if (!place.axes[2]) to.z = others.z;
+    return to;
+}
+
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
-/// nothing moves yet.
+/// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     const auto* line = std::get_if<cl::Linear>(&step);
-    if (line == nullptr || line->seek != cl::Seek::nothing || !at_ || !axes_.empty() || !near(*at_, to, same_place_))
+    const auto& parts = cursor_.state().frame.parts;
+    const bool by_control =
+        tilts_ && std::any_of(parts.begin(), parts.end(), [](const cl::FramePart& p) { return p.turn.by_control; });
+    const bool unknown = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z);
+    const bool rapid = line != nullptr && line->rapid && line->seek == cl::Seek::nothing;
+    // With another plane the axes count otherwise, and nobody knows the tip's place in it; the next move tells them.
+    const bool axes_stand = std::all_of(axes_.begin(), axes_.end(), [&](const cl::AxisEnd& axis) {
+        const auto at = stands_.find(axis.name);
+        return at != stands_.end() && near(at->second.to, axis.to, same_place_);
+    });
+    if (rapid && tilts_ && unknown && !axes_.empty() && axes_stand) return true;
+    if (by_control && rapid && unknown && axes_.empty()) return true;
+    if (line == nullptr || line->seek != cl::Seek::nothing || !at_ || !axes_.empty() ||
+        !near(*at_, as_said(to, *at_), same_place_))
         return false;
     return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
 }
@@ -130,9 +155,14 @@ void Path::note_tool() {
 void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
-    if (!(length == length_there_)) at_.reset();
-    length_there_ = length;
-    if (leads_nowhere(record.step, to)) return;
+    if (!(length == length_there_)) at_.reset(), length_there_ = length;
+    if (leads_nowhere(record.step, to)) {
+        tilts_ = tilts_ && !std::isnan(to.x);  // one such step a plane: the next one to nobody knows where is a move
+        return said_.reset();
+    }
+    constexpr geom::Vec3 nowhere{NAN, NAN, NAN};
+    const geom::Vec3 now = as_said(to, at_.value_or(nowhere));
+    take_said();
     if (to_holder_) held_ = false;
     hold();
     if (std::exchange(to_holder_, false)) held_ = false;
@@ -144,10 +174,18 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         arc.to = next.to;
         arc.sweep += next.sweep;
     } else {
-        if (std::holds_alternative<cl::Arc>(record.step)) arc_from_ = at_.value_or(geom::Vec3{NAN, NAN, NAN});
-        moves.push_back({record.step, std::exchange(axes_, {}), holding_of(record.step), record.from, record.stack});
+        if (std::holds_alternative<cl::Arc>(record.step)) arc_from_ = at_.value_or(nowhere);
+        const bool taps = tap_ != Tap::none || std::holds_alternative<cl::Thread>(record.step);
+        const std::shared_ptr<const Holding> of_tap = taps ? holding_of(record.step) : nullptr;
+        const std::shared_ptr<const Holding>& holds = taps ? of_tap : holding_;
+        Move& move = moves.grow();
+        move.step = record.step;
+        move.axes.clear();
+        std::swap(move.axes, axes_);
+        if (move.holding != holds) move.holding = holds;
+        move.from = record.from, move.stack = record.stack;
     }
-    at_ = to;
+    at_ = now;
     tilts_ = false;
     tool_ = *cl::tool_axis_of(record.step);
 }
@@ -178,6 +216,12 @@ void Path::take(const cl::Record& record) {
         for (const cl::AxisEnd& axis : *ends) take_axis(axis);
         return take_move(record, cursor_.take(record)->to);
     }
+    const auto* said = std::get_if<cl::MachinePlace>(&step);
+    if (said != nullptr && said->kind == cl::PlaceKind::frame) {
+        take_said();
+        if (!is_axis_by_axis_) said_ = record;
+        return;
+    }
     const auto datum = cursor_.state().datum;
     cursor_.take(record);
     held_ = false;
@@ -200,6 +244,14 @@ void Path::take(const cl::Record& record) {
         take_event(record);
 }
 
+/// What the block of the move said, which counts where the move does.
+void Path::take_said() {
+    if (!said_) return;
+    const cl::Record record = *std::exchange(said_, std::nullopt);
+    hold();
+    take_item(events, record.step, record);
+}
+
 /// Length and radius each for itself: controls set them together or one by one.
 void Path::take_tool_data(const cl::Record& record, const cl::ToolData& data) {
     hold();
@@ -211,8 +263,6 @@ void Path::take_tool_data(const cl::Record& record, const cl::ToolData& data) {
 
 void Path::take_event(const cl::Record& record) {
     if (const auto* data = std::get_if<cl::ToolData>(&record.step)) return take_tool_data(record, *data);
-    const auto* said = std::get_if<cl::MachinePlace>(&record.step);
-    if (said != nullptr && said->kind == cl::PlaceKind::frame && is_axis_by_axis_) return;
     cl::Step step = record.step;
     if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
         const cl::ToolChange now = tool_of(*change), before = holding_->tool;

@@ -72,6 +72,8 @@ public:
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
+    [[nodiscard]] geom::Vec3 as_said(geom::Vec3 to, const geom::Vec3& others) const;
+    void take_said();
     void note_tool();
     void take_axis(const cl::AxisEnd& axis);
     void take_event(const cl::Record& record);
@@ -90,10 +92,12 @@ private:
     bool held_ = false;       ///< nothing came since that would change it
     bool to_holder_ = false;  ///< the next move leads what holds the tool to a place of the machine
     enum class Tap : std::uint8_t { none, in, back };
-    Tap tap_ = Tap::none;                 ///< the last move, of a rigid tap
-    cl::Spindle tap_sense_;               ///< on its way in
-    geom::Vec3 arc_from_;                 ///< where the last arc began
-    std::optional<geom::Vec3> at_;        ///< end of the last move that counts
+    Tap tap_ = Tap::none;    ///< the last move, of a rigid tap
+    cl::Spindle tap_sense_;  ///< on its way in
+    geom::Vec3 arc_from_;    ///< where the last arc began
+    /// End of the last move that counts; NaN: of that coordinate nobody has said anything yet.
+    std::optional<geom::Vec3> at_;
+    std::optional<cl::Record> said_;      ///< a MachinePlace of the frame, of the move that follows
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there
     bool tilts_ = false;                  ///< another frame since then
     cl::ToolLength length_there_;         ///< that was compensated there

@@ -18,6 +18,27 @@ TEST(SameWay, CutAtOtherPointsAndSaidAgain) {
 }
 
 /// As the records come, in any order, the verdict is that of the whole streams.
+/// Behind a change of tools the coordinates that no block has said yet are nobody's: a way to a height is one, whatever
+/// the stream has as the height before it, and said twice it is one way.
+TEST(SameWay, AHeightThatIsNotSaidYetIsNone) {
+    const Steps change{cl::ToolChange{2, 1, ""}};
+    cl::MachinePlace in_plane{cl::PlaceKind::frame}, height{cl::PlaceKind::frame};
+    in_plane.axes = {true, true, false}, height.axes = {false, false, true};
+    const auto at = [](double z) { return cl::Linear{{5, 0, z}, {0, 0, 1}, true, cl::Seek::nothing}; };
+    const auto moves = [&](const std::vector<cl::Step>& behind) {
+        Steps all{at(50), change[0]};
+        all.insert(all.end(), behind.begin(), behind.end());
+        return path_of(all).moves.size();
+    };
+    EXPECT_EQ(moves({in_plane, at(50), at(50)}), 3U);
+    EXPECT_EQ(moves({in_plane, at(50), cl::ToolLength{1, 2, {}}, at(50)}), 3U);
+    EXPECT_EQ(moves({height, at(50), height, at(50)}), 2U);
+    EXPECT_EQ(moves({height, at(50), at(50)}), 3U);
+    EXPECT_EQ(differences({at(50), change[0], height, at(50), height, at(50), line(9)},
+                          {at(50), change[0], height, at(50), line(9)}),
+              "");
+}
+
 TEST(SameWay, WhicheverComesFirst) {
     const std::uint32_t seed = base::testing_seed();
     AnyStream any(seed);

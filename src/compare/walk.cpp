@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "cl/totals.hpp"
+
 namespace obrys::compare {
 
 namespace {
@@ -57,6 +59,7 @@ Walk::Walk(const Path& a, const Path& b, const Tolerance& t)
             ItemPairs(Aspect::compensation, a.contours, b.contours)} {}
 
 void Walk::compare_items(bool ended) {
+    if (std::none_of(items.begin(), items.end(), [](const ItemPairs& pairs) { return pairs.any_waits(); })) return;
     std::array<bool, 2> here{};
     for (const std::size_t side : {0U, 1U}) {
         const Follower& s = sides[side];
@@ -77,9 +80,9 @@ void Walk::advance() {
     for (;;) {
         compare_items(false);
         const bool a = sides[0].has_piece(), b = sides[1].has_piece();
-        if (a && b)
-            compare_piece();
-        else if (a && sides[1].is_over())
+        if (a && b) {
+            if (!compare_piece()) continue;
+        } else if (a && sides[1].is_over())
             pass_lone(0);
         else if (b && sides[0].is_over())
             pass_lone(1);
@@ -89,7 +92,34 @@ void Walk::advance() {
     }
 }
 
-void Walk::compare_piece() {
+/// Whole moves, each with its counterpart, are most of what there is: nothing is copied for them.
+bool Walk::pass_alike() {
+    auto& [a, b] = sides;
+    if (a.is_begun() || b.is_begun()) return false;
+    const Move &m = a.move(), &n = b.move();
+    if (!m.axes.empty() || !n.axes.empty() || !like.steps(m.step, n.step)) return false;
+    if (m.holding != last_a_ || n.holding != last_b_) compare_holding(m, n);
+    a.pass(), b.pass();
+    return true;
+}
+
+/// It leads no farther than the increments of a control are apart: there it may not move at all.
+bool Walk::is_lost_in_increments(const Follower& s) const {
+    const Move& m = s.move();
+    const Piece p = s.piece();
+    const auto* line = std::get_if<cl::Linear>(&p.step);
+    const auto* arc = std::get_if<cl::Arc>(&p.step);
+    if (like.increment() == 0 || !m.axes.empty() || (line == nullptr && arc == nullptr)) return false;
+    if (line != nullptr && (line->seek != cl::Seek::nothing || !like.direction(p.tool, line->axis))) return false;
+    if (arc != nullptr && !(std::abs(arc->sweep) < geom::pi)) return false;
+    const geom::Vec3 way = cl::position_after(p.from, p.step) - p.from;
+    const double most = like.increment() * (1 + 1e-6);
+    return std::abs(way.x) <= most && std::abs(way.y) <= most && std::abs(way.z) <= most;
+}
+
+/// False: a move was passed over on one side alone, which is lost in the increments of the other.
+bool Walk::compare_piece() {
+    if (pass_alike()) return true;
     auto& [a, b] = sides;
     const Move &m = a.move(), &n = b.move();
     const Piece p = a.piece(), q = b.piece();
@@ -98,18 +128,22 @@ void Walk::compare_piece() {
                       (whole && std::is_permutation(m.axes.begin(), m.axes.end(), n.axes.begin(), n.axes.end(), like));
     const bool begins_alike = whole || geom::distance(p.from, q.from) <= 2 * like.length();
     const bool alike = axes && begins_alike && like.steps(p.step, q.step);
+    // What stands between the moves stands there, too, where one of them is missing.
+    if (!alike && is_lost_in_increments(a)) return a.pass(), false;
+    if (!alike && is_lost_in_increments(b)) return b.pass(), false;
     std::optional<Piece> rest_a, rest_b;
     if (!alike && m.axes.empty() && n.axes.empty() && can_be_joined(*m.holding, cl::is_rapid(m.step)) &&
         can_be_joined(*n.holding, cl::is_rapid(n.step))) {
         rest_b = behind(q, p, like);
         if (!rest_b) rest_a = behind(p, q, like);
     }
-    if (!whole && !alike && !rest_a && !rest_b) return pass_joined();
+    if (!whole && !alike && !rest_a && !rest_b) return pass_joined(), true;
     if (!alike && !rest_a && !rest_b) differs(m, n, number());
     if (whole && (rest_a || rest_b)) joined_ = Joined{m, n, number()};
     if (m.holding != last_a_ || n.holding != last_b_) compare_holding(m, n);
     rest_a ? a.pass_to(*rest_a) : a.pass();
     rest_b ? b.pass_to(*rest_b) : b.pass();
+    return true;
 }
 
 void Walk::add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const {
@@ -133,6 +167,7 @@ void Walk::pass_joined() {
 void Walk::pass_lone(std::size_t side) {
     Follower& s = sides[side];
     if (s.is_begun()) return pass_joined();
+    if (is_lost_in_increments(s)) return s.pass();
     const Move& move = s.move();
     if (!lone_at_) {
         lone_at_ = number();

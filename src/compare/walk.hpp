@@ -51,7 +51,9 @@ struct Walk {
     std::array<ItemPairs, 3> items;
 
 private:
-    void compare_piece();
+    [[nodiscard]] bool pass_alike();
+    [[nodiscard]] bool is_lost_in_increments(const Follower& s) const;
+    [[nodiscard]] bool compare_piece();
     void compare_holding(const Move& a, const Move& b);
     void add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const;
     void differs(const Move& a, const Move& b, std::size_t at);

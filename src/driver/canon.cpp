@@ -3,21 +3,23 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
-#include "cl/canon.hpp"
+#include "write/canon/canon.hpp"
 
 namespace obrys::driver {
 
-interp::Outcome print_canon(Session& s, const std::function<void(std::string_view)>& write, bool configured,
+interp::Outcome print_canon(Session& s, const std::function<void(std::string_view)>& write_line, bool configured,
                             cl::Sink also) {
     const auto number = [&](const base::Span& at) {
         const auto n = s.sources.block_number(at.file, at.begin);
         return n ? std::to_string(*n) : std::string{};
     };
-    cl::CanonWriter writer(write, number);
-    const interp::Outcome outcome = interpret(s, [&](const cl::Record& record) {
+    write::CanonWriter writer(write_line, number);
+    const auto take = [&](const cl::Record& record) {
         writer(record);
         also(record);
-    });
+    };
+    const auto listen = [&](const interp::Heard& what, const base::Span& from) { writer.hear(what, from); };
+    const interp::Outcome outcome = interpret(s, take, interp::Listener(listen));
     // A subprogram that is not there was looked for up to the end of the text.
     const auto& said = s.diagnostics.all();
     const bool searched = std::any_of(

@@ -8,8 +8,9 @@
 
 namespace obrys::driver {
 
-/// Interprets a session that was opened for it (Request::canon). `write` gets the calls line by line, `also` every
-/// record. `configured`: by a configuration of its own, where the interpreter ends otherwise.
+/// Interprets a session and listens; opened with Request::stand_alone the calls are those of rs274. `write` gets the
+/// calls line by line, `also` every record. `configured`: by a configuration of its own, where the interpreter ends
+/// otherwise.
 interp::Outcome print_canon(Session& session, const std::function<void(std::string_view)>& write, bool configured,
                             cl::Sink also);
 

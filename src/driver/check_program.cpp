@@ -8,12 +8,26 @@
 
 namespace obrys::driver {
 
+namespace {
+
+check::RapidRule rule_of(const program::Rapids& rapids) {
+    switch (rapids.way) {
+        case program::RapidWay::straight: return {};
+        case program::RapidWay::each_axis: return {shop::RapidPath::dog_leg, std::string(rapids.setting)};
+        case program::RapidWay::by_setting: break;
+    }
+    return {shop::RapidPath::either, std::string(rapids.setting)};
+}
+
+}  // namespace
+
 check::Setup setup_of(Session& session, const MillingRequest& milling) {
     check::Setup setup;
     setup.tools_given = !session.job.tools.empty();
     for (shop::Tool& own : program_tools(*session.main, session.job.tools, session.diagnostics))
         session.job.tools.push_back(std::move(own));
     setup.machine = session.job.machine;
+    setup.rapids = rule_of(session.main->traits->rapids);
     setup.tools = session.job.tools;
     if (session.job.stock) setup.stock = session.job.stock->region;
     setup.part = session.part;

@@ -68,7 +68,7 @@ const Control* choose_control(Session& s, const Request& request, std::uint32_t 
 }
 
 void choose_machine(Session& s, const Request& request) {
-    const MachineGuess guess = guess_machine(*s.main, s.sources);
+    const MachineGuess guess = guess_machine(*s.main);
     const bool lathe_job = s.job.machine.kind == shop::MachineKind::lathe;
     const bool told = s.has_job && (lathe_job || s.job.solid_stock || s.job.solid_part);
     const bool drives_lathes = s.main->traits->guessed_machine != program::GuessedMachine::mill;
@@ -77,9 +77,10 @@ void choose_machine(Session& s, const Request& request) {
     shop::use_machine(s.job, *shop::shipped_machine(generic));
     s.job.machine.more_axes = true;
     const bool diameters = turning && !s.main->traits->radius_at_start, words = s.main->traits->has_diameter_words;
-    const bool reasons = !told && (turning || !guess.against.empty());
-    const std::string for_it = reasons && !guess.signs.empty() ? " for " + guess.signs : "";
-    const std::string against = reasons && !guess.against.empty() ? " in spite of " + guess.against : "";
+    const std::string others = told ? "" : list_of_signs(guess.against, s.sources);
+    const std::string signs = !told && (turning || !others.empty()) ? list_of_signs(guess.signs, s.sources) : "";
+    const std::string for_it = signs.empty() ? "" : " for " + signs;
+    const std::string against = others.empty() ? "" : " in spite of " + others;
     assume(s,
            "no machine is named: " + generic + " is taken" + for_it + against +
                (diameters ? ", X words are diameters" + std::string(words ? " until DIAMOF" : "") : ""),

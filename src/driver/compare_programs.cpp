@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "cl/text.hpp"
 #include "driver/stream_file.hpp"
 
@@ -128,6 +129,9 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
     Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
     compare::Result out = compare_steps(
         comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
+    if (in_a.repeats() != in_b.repeats())  // which is more than an end that one of them alone says
+        std::erase_if(out.first,
+                      [](const compare::Difference& d) { return d.aspect == compare::Aspect::events && !d.is_done; });
     if (in_a.repeats() != in_b.repeats() && out.of(compare::Aspect::events) == nullptr)
         out.first.push_back(begins_anew(in_a.repeats(), (in_a.repeats() ? a : b).main->traits->repeats_program, out));
     const bool elsewhere = in_a.repeats() && in_b.repeats() && in_a.repeats_at() != in_b.repeats_at();
@@ -144,6 +148,16 @@ compare::Result compare_with(const cl::Recording& a, Session& b, const compare::
     const auto to_a = [&](const cl::Record& record) { comparison.take(Side::a, record); };
     return compare_steps(
         comparison, [&] { return in_a.step(to_a); }, [&] { return in_b.step(); });
+}
+
+std::size_t block_stops(const Session& session) {
+    std::size_t count = 0;
+    if (session.programs == nullptr) return count;
+    for (const auto& unit : session.programs->units())
+        for (const program::Ignored& word : unit->ignored)
+            if (base::equals_ignoring_case(word.text, "G9") || base::equals_ignoring_case(word.text, "G09"))
+                count += word.count;
+    return count;
 }
 
 }  // namespace obrys::driver

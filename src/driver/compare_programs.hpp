@@ -18,4 +18,8 @@ namespace obrys::driver {
 /// The same of a stream that was kept and a session that is run.
 [[nodiscard]] compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance);
 
+/// Blocks of the session's programs that stop at their end alone (G9): the stream has no such stop, so that nobody
+/// compares them.
+[[nodiscard]] std::size_t block_stops(const Session& session);
+
 }  // namespace obrys::driver

@@ -72,12 +72,15 @@ std::vector<program::Unit> read_haas(std::uint32_t file, const base::Sources& so
     return read::rs274::read_haas(file, sources, names, diagnostics, fanuc_options(machine));
 }
 
+constexpr program::RemarkSigns semicolon{.to_line_end = ';'}, brackets{.brackets = true},
+    klartext{.to_line_end = ';', .star_blocks = true, .goes_on = '~'};
+
 constexpr std::array sinumerik_languages{
-    Language{base::BlockNumbers::n_word, several<read::sinumerik::read>, read::sinumerik::likelihood},
+    Language{base::BlockNumbers::n_word, several<read::sinumerik::read>, read::sinumerik::likelihood, semicolon},
 };
 constexpr std::array heidenhain_languages{
-    Language{base::BlockNumbers::leading, alone<read::heidenhain::read>, read::heidenhain::likelihood},
-    Language{base::BlockNumbers::n_word, alone<read::heidenhain::read_iso>, read::heidenhain::iso_likelihood},
+    Language{base::BlockNumbers::leading, alone<read::heidenhain::read>, read::heidenhain::likelihood, klartext},
+    Language{base::BlockNumbers::n_word, alone<read::heidenhain::read_iso>, read::heidenhain::iso_likelihood, klartext},
 };
 
 constexpr std::array linuxcnc_languages{
@@ -85,17 +88,18 @@ constexpr std::array linuxcnc_languages{
 };
 
 constexpr std::array fanuc_languages{
-    Language{base::BlockNumbers::n_word, read_fanuc, read::rs274::fanuc_likelihood},
+    Language{base::BlockNumbers::n_word, read_fanuc, read::rs274::fanuc_likelihood, brackets},
 };
 constexpr std::array haas_languages{
-    Language{base::BlockNumbers::n_word, read_haas, read::rs274::haas_likelihood},
+    Language{base::BlockNumbers::n_word, read_haas, read::rs274::haas_likelihood, brackets},
 };
 
 constexpr std::array acramatic_languages{
-    Language{base::BlockNumbers::n_word, several<read::rs274::read_acramatic>, read::rs274::acramatic_likelihood},
+    Language{base::BlockNumbers::n_word, several<read::rs274::read_acramatic>, read::rs274::acramatic_likelihood,
+             semicolon},
 };
 constexpr std::array nc470_languages{
-    Language{base::BlockNumbers::n_word, several<read::rs274::read_nc470>, read::rs274::nc470_likelihood},
+    Language{base::BlockNumbers::n_word, several<read::rs274::read_nc470>, read::rs274::nc470_likelihood, brackets},
 };
 constexpr std::array apt_languages{
     Language{base::BlockNumbers::none, alone<read::apt::read>, read::apt::likelihood},
@@ -110,8 +114,15 @@ constexpr std::string_view linuxcnc_tools =
     "T1 P1 D0.125 Z0.511\nT2 P2 D0.0625 Z0.1\nT3 P3 D0.201 Z1.273\nT99999 P123 Z0.1\n";
 
 constexpr std::array controls_table{
-    Control{"sinumerik-840d", sinumerik_languages, sinumerik_programs, sinumerik_definitions, nullptr, false,
-            read::sinumerik::is_definition_file},
+    Control{"sinumerik-840d",
+            sinumerik_languages,
+            sinumerik_programs,
+            sinumerik_definitions,
+            nullptr,
+            false,
+            read::sinumerik::is_definition_file,
+            {},
+            read::sinumerik::is_own_word},
     Control{"heidenhain-itnc530", heidenhain_languages, heidenhain_programs, {}},
     Control{"linuxcnc", linuxcnc_languages, rs274_programs, {}, o_word_file, false, nullptr, linuxcnc_tools},
     Control{"fanuc", fanuc_languages, rs274_programs, {}, o_word_file, true},

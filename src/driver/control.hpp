@@ -9,6 +9,7 @@
 
 #include "base/diagnostic.hpp"
 #include "program/names.hpp"
+#include "program/remarks.hpp"
 #include "program/unit.hpp"
 #include "shop/machine.hpp"
 
@@ -22,6 +23,7 @@ struct Language {
                                        const shop::Machine* machine);
     /// 0 to 100; `signs`, where it is not null, gets the words of the text that speak for it.
     int (*likelihood)(std::string_view text, std::string_view file_name, std::vector<std::string>* signs);
+    program::RemarkSigns remarks{};  ///< none where the reader itself puts them into the tree
 };
 
 struct Control {
@@ -40,6 +42,9 @@ struct Control {
     bool (*is_definition)(std::string_view text, std::string_view upper_name) = nullptr;
     /// The tool table that its stand-alone interpreter takes where it is given none; empty: there is no such.
     std::string_view interpreter_tools{};
+    /// In capitals: one of the control's own words, which cannot name a label, a program or a variable. Null: its names
+    /// stand where no word can.
+    bool (*is_word)(std::string_view upper) = nullptr;
 };
 /// The language in which the text is most likely written; the first one where nothing says so.
 [[nodiscard]] const Language& language_of(const Control& control, std::string_view text, std::string_view file_name);

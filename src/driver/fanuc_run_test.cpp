@@ -75,4 +75,15 @@ TEST(FanucRun, LocalSubprogramsOfHaas) {
     EXPECT_EQ(std::count(r.moves.begin(), r.moves.end(), '\n'), 4) << r.moves << r.messages;
 }
 
+TEST(FanucRun, CoordinatesCountInIncrements) {
+    EXPECT_EQ(on_mill("X1.23456"), "linear 1.235 0 0\n");
+    EXPECT_EQ(on_mill("#1=12.3456\nX#1"), "linear 12.346 0 0\n") << "operator's manual, custom macro";
+    EXPECT_EQ(on_mill("G91 X0.3339\nX0.3339\nX0.3339"), "linear 0.334 0 0\nlinear 0.668 0 0\nlinear 1.002 0 0\n")
+        << "each block for itself";
+    EXPECT_EQ(on_mill("X12.345"), "linear 12.345 0 0\n");
+    const Ran inch = run("%\nO1\nG20 G90 G17\nG1 X0 Y0 Z0 F10.\nX1.00004\nM30\n%\n",
+                         {.machine = dialect::rs274::FanucMachine::mill});
+    EXPECT_NE(inch.moves.find("linear 25.4 0 0\n"), std::string::npos) << inch.moves;
+}
+
 }  // namespace obrys::driver

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <random>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +68,42 @@ inline bool open_case(Session& s, const Case& c, std::string_view of, shop::Mach
         s.job.tools.push_back(tool);
     }
     return true;
+}
+
+inline std::vector<std::string> lines_of(const std::string& text) {
+    std::vector<std::string> lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find('\n', at), text.size());
+        lines.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+    return lines;
+}
+
+/// One to three changes: blocks left out, doubled, exchanged, words put in; a word that begins with a line end is a
+/// block.
+inline std::string mutated(const std::string& text, std::mt19937& random, const std::vector<std::string_view>& words) {
+    std::vector<std::string> lines = lines_of(text);
+    const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+    for (std::size_t n = 1 + below(3); n > 0 && lines.size() > 2; --n) {
+        const std::size_t i = 1 + below(lines.size() - 1);
+        const auto at = lines.begin() + static_cast<std::ptrdiff_t>(i);
+        switch (below(4)) {
+            case 0: lines.erase(at); break;
+            case 1: lines.insert(at, std::string(lines[below(lines.size())])); break;
+            case 2: std::swap(lines[i], lines[below(lines.size())]); break;
+            default: {
+                const std::string word(words[below(words.size())]);
+                if (word.starts_with('\n'))
+                    lines.insert(at, word.substr(1));
+                else
+                    lines[i] += word;
+            }
+        }
+    }
+    std::string out;
+    for (const std::string& line : lines) out += line + "\n";
+    return out;
 }
 
 }  // namespace obrys::driver::testing

@@ -164,18 +164,19 @@ bool has_suffix_of_its_own(const Control& c, std::string_view file_name) {
 Guess guess_control(std::string_view text, std::string_view file_name, std::optional<bool> turns) {
     Guess g;
     for (const Control& c : all_controls()) {
-        const int n = likelihood_of(c, text, file_name, nullptr);
+        std::vector<std::string> signs;
+        const int n = likelihood_of(c, text, file_name, &signs);
         if (g.control == nullptr || n > g.likelihood) {
             g.next = g.control;
             g.next_likelihood = g.likelihood;
             g.control = &c;
             g.likelihood = n;
+            g.signs = std::move(signs);
         } else if (g.next == nullptr || n > g.next_likelihood) {
             g.next = &c;
             g.next_likelihood = n;
         }
     }
-    likelihood_of(*g.control, text, file_name, &g.signs);
     g.by_suffix = has_suffix_of_its_own(*g.control, file_name);
     g.foreign = g.by_suffix && !g.signs.empty() ? std::string{} : foreign_control(text);
     if (g.by_suffix && g.signs.empty()) g.difference = contradiction(*g.control, text, file_name);

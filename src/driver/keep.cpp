@@ -17,7 +17,11 @@ namespace codes = base::codes;
 
 std::optional<rewrite::Language> find_language(const std::string& name, Session& s) {
     const std::optional<std::uint32_t> file = load_post(name, s);
-    return file ? rewrite::read_language(*file, s.sources, s.diagnostics, beside_post(name, s)) : std::nullopt;
+    if (!file) return std::nullopt;
+    auto language = rewrite::read_language(*file, s.sources, s.diagnostics, beside_post(name, s));
+    const Control* control = language ? find_control(language->control) : nullptr;
+    if (control != nullptr && control->is_word != nullptr) language->is_word = control->is_word;
+    return language;
 }
 
 Kept keep(Session& s, const rewrite::Language& language, const std::string& name) {
@@ -35,7 +39,7 @@ Kept keep(Session& s, const rewrite::Language& language, const std::string& name
     input.angles_from_zero = !traits.angles_from_zero.empty() && s.job.machine.control.angles_from_zero.value_or(true);
     s.programs->read_called();
     out.rewritten = rewrite::rewrite(input, language, name);
-    out.translated.text = out.rewritten.text;
+    *out.translated.text = out.rewritten.text;
     return out;
 }
 
@@ -116,7 +120,7 @@ std::map<std::string, double> inputs_by_name(const Session& s) {
 }
 
 std::string decimal(double v) {
-    std::string text = base::fixed(v, 4);
+    std::string text = base::fixed(v, 3);  // that every control can take: finer ones add up to others where it rounds
     while (text.back() == '0') text.pop_back();
     if (text.back() == '.') text.pop_back();
     return text;
@@ -175,7 +179,11 @@ Proved prove_with(const std::vector<std::string>& set, const Kept& kept, const w
     translated.does = std::make_shared<const cl::Recording>(recording_of(run));
     const NameMap map = map_of(kept.rewritten);
     const bool alarm = has_finding(run), unknown = is_unknown(run);
-    out = prove(translated, post, own, run, tolerance, {mapped(own.set, map), mapped(run.job.variables, map)});
+    // What the program computes is rounded there as its own control does it, and here as the other one does.
+    compare::Tolerance within = tolerance;
+    constexpr double slack = 1 + 1e-6;
+    within.length = std::max(within.length, 0.5 * (increment_of(run) + post.increment) * slack);
+    out = prove(translated, post, own, run, within, {mapped(own.set, map), mapped(run.job.variables, map)});
     if (out.run != nullptr && alarm != has_finding(*out.run)) {
         out.differs = true;
         if (out.proof == Proof::same) out.proof = Proof::differs;

@@ -55,11 +55,11 @@ void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending)
         const bool said = d.code == codes::no_effect;                                              // and left out
         const bool describes = said && s.main != nullptr && s.main->traits->definitions_describe;  // CL data: the job
         if (describes || (said ? is_written(ledger, d.text) : !leaves_out(d.code))) continue;
-        const bool uncalled = d.code == codes::not_run && d.text.ends_with(nothing_calls_it);
+        const bool uncalled = is_of_no_run(d);
         write::Note note;
         note.what = d.text;
         if (said || uncalled) note.fate = write::Fate::expanded;
-        if (uncalled) note.instead = "is left out";
+        if (uncalled && d.text.ends_with(nothing_calls_it)) note.instead = "is left out";
         note.from = d.where;
         static_cast<void>(ledger.add(note));
     }

@@ -110,7 +110,10 @@ Found find_signs(const program::Unit& unit) {
     std::uint64_t codes = telling(found);
     const std::span<const program::Word> words(unit.words);
     for (const program::Word& w : words.subspan(unit.statements.front().first)) {
-        if (w.code < program::value_codes && (codes >> w.code & 1U) == 0) continue;
+        // A quick look first: it takes codes above those of values for others, and leaves out what most blocks have.
+        static_assert(program::value_codes == 64);
+        if ((codes >> (w.code & 63U) & 1U) == 0) continue;
+        if (program::code_of(w) == Code::modal && program::modal_of(w) <= Modal::arc_ccw) continue;
         if (!tells_more(codes, unit, w)) continue;
         const auto at = static_cast<std::uint32_t>(&w - words.data());
         const auto next = std::upper_bound(unit.statements.begin(), unit.statements.end(), at, behind);
@@ -120,8 +123,9 @@ Found find_signs(const program::Unit& unit) {
     return found;
 }
 
-/// "G18 (line 2), LIMS=3000 (line 4)": each as the program writes it, where it stands first.
-std::string list_of(const std::vector<base::Span>& places, const base::Sources& sources) {
+}  // namespace
+
+std::string list_of_signs(const std::vector<base::Span>& places, const base::Sources& sources) {
     constexpr std::size_t most = 4, longest = 24;
     std::vector<std::string> words;
     std::string list;
@@ -135,9 +139,7 @@ std::string list_of(const std::vector<base::Span>& places, const base::Sources& 
     return list;
 }
 
-}  // namespace
-
-MachineGuess guess_machine(const program::Unit& unit, const base::Sources& sources) {
+MachineGuess guess_machine(const program::Unit& unit) {
     using program::GuessedMachine;
     const Found found = find_signs(unit);
     const bool weighed = unit.traits->guessed_machine == GuessedMachine::by_words;
@@ -146,8 +148,8 @@ MachineGuess guess_machine(const program::Unit& unit, const base::Sources& sourc
     MachineGuess guess;
     guess.turning =
         weighed ? found.lathe || (hinted && !vetoed) : unit.traits->guessed_machine == GuessedMachine::lathe;
-    guess.signs = list_of(guess.turning ? signs.lathe : signs.mill, sources);
-    guess.against = list_of(guess.turning ? signs.mill : signs.lathe, sources);
+    guess.signs = guess.turning ? signs.lathe : signs.mill;
+    guess.against = guess.turning ? signs.mill : signs.lathe;
     const bool proven = guess.turning ? (found.lathe || found.lathe_alone) && !found.mill
                                       : !hinted || (found.mill && !found.lathe_alone);
     const bool doubtful = weighed ? !proven : signs.doubtful;

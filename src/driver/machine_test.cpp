@@ -1,14 +1,17 @@
 /// A machine that is copied at any step goes on as if nothing had happened, and so does the one that it was copied
-/// from: every golden program of every control, copied at random steps.
+/// from: every golden program of every control, copied at random steps. Who listens to it, or prints its canonical
+/// calls, changes nothing.
 
 #include <gtest/gtest.h>
 
 #include <random>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/seed_testing.hpp"
 #include "cl/text.hpp"
+#include "driver/canon.hpp"
 #include "driver/golden_cases_testing.hpp"
 #include "interp/flow/machine.hpp"
 
@@ -95,6 +98,93 @@ TEST(Machine, GoesOnFromACopyOfFanuc) {
 TEST(Machine, GoesOnFromACopyOfLinuxCnc) {
     EXPECT_GT(copied("linuxcnc", "linuxcnc", shop::MachineKind::mill), 50);
     EXPECT_GT(copied("linuxcnc", "linuxcnc", shop::MachineKind::lathe), 50);
+}
+
+// --- who listens changes nothing: the same records, complaints and ends with a listener and without one
+
+/// All that comes of a run.
+std::string all_of(const std::string& records, const interp::Outcome& o, const Session& s) {
+    std::string out = records + std::to_string(static_cast<int>(o.ending)) + " after " +
+                      std::to_string(o.blocks_executed) + " blocks, " + std::to_string(o.statements) + " statements\n";
+    for (const auto& p : o.parameters) out += p.name + "=" + std::to_string(p.value) + "\n";
+    for (const base::Diagnostic& d : s.diagnostics.all())
+        out += std::to_string(d.where.begin) + " " + d.text + " / " + d.remedy + "\n";
+    return out;
+}
+
+struct ListenedTo {
+    std::string folder;
+    std::string_view control;
+    shop::MachineKind kind = shop::MachineKind::mill;
+};
+
+/// Of one program: without and with one who listens. How much is heard.
+std::size_t hold_heard(const Case& c, const ListenedTo& way, bool stand_alone) {
+    Session alone, heard;
+    for (Session* s : {&alone, &heard}) {
+        if (!testing::open_case(*s, c, way.control, way.kind)) return 0;
+        s->stand_alone = stand_alone;
+    }
+    std::string plain, beside, calls;
+    const interp::Outcome of_plain = interpret(alone, [&](const cl::Record& r) { plain += cl::to_text(r) + "\n"; });
+    const interp::Outcome of_heard = print_canon(
+        heard, [&](std::string_view line) { calls += line; }, false,
+        [&](const cl::Record& r) { beside += cl::to_text(r) + "\n"; });
+    EXPECT_EQ(all_of(plain, of_plain, alone), all_of(beside, of_heard, heard))
+        << way.control << ", " << c.name << (stand_alone ? ", stand-alone:\n" : ":\n") << c.text;
+    return calls.size();
+}
+
+/// Compensation that holds moves back, corners, zeros, states: where what is heard has to wait for its place.
+const std::vector<std::string_view> words{
+    " G41",     " G42",  " G40",  " RL",   " R0",   "\nG1 X5 Y5 F100", "\nG2 X7 Y7 I3 J3", "\nM8", "\nG55",
+    "\nG92 X1", "\nG91", "\nG90", "\nG18", "\nG17", "\nG53 G0 X0",     "\nRND R2",         "\nM2"};
+
+TEST(Listener, ListeningChangesNothing) {
+    const ListenedTo ways[] = {{"heidenhain", "heidenhain-itnc530"},
+                               {"sinumerik", "sinumerik-840d"},
+                               {"turning", "sinumerik-840d", shop::MachineKind::lathe},
+                               {"fanuc", "fanuc"},
+                               {"fanuc", "fanuc", shop::MachineKind::lathe},
+                               {"fanuc", "haas"},
+                               {"linuxcnc", "linuxcnc"},
+                               {"linuxcnc", "linuxcnc", shop::MachineKind::lathe},
+                               {"acramatic", "acramatic-2100"},
+                               {"nc470", "nc-470"},
+                               {"apt", "apt-cl"}};
+    const std::uint32_t seed = base::testing_seed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 random(seed);
+    for (const ListenedTo& way : ways) {
+        std::size_t said = 0;
+        for (const Case& c : testing::golden_cases(way.folder)) {
+            Case m = c;
+            for (int n = 0; n < 2; ++n, m.text = testing::mutated(c.text, random, words))
+                said += hold_heard(m, way, false) + hold_heard(m, way, true);
+        }
+        EXPECT_GT(said, 1000U) << way.control;
+    }
+}
+
+/// What is heard while compensation holds a move back comes in its place among the records.
+TEST(Listener, StandsInItsPlace) {
+    const Case c{"held", "in.ngc",
+                 "G21 G90 G17 G54\nT1 M6\nG0 X0 Y0 Z5\nG1 G41 D1 X10 Y0 F100\nX20 Y0\nM8\nX20 Y20\nG40 X30 Y30\nM2\n"};
+    Session s;
+    ASSERT_TRUE(testing::open_case(s, c, "linuxcnc", shop::MachineKind::mill));
+    s.stand_alone = true;
+    std::string order;
+    const auto take = [&](const cl::Record& r) {
+        if (cl::is_move(r.step)) order += "m";
+        if (std::holds_alternative<cl::Coolant>(r.step)) order += "c";
+    };
+    const auto listen = [&](const interp::Heard& what, const base::Span&) {
+        if (std::holds_alternative<interp::heard::CoolantWord>(what)) order += "h";
+    };
+    static_cast<void>(interpret(s, take, interp::Listener(listen)));
+    EXPECT_NE(order.find("mhc"), std::string::npos) << order;
+    EXPECT_NE(order.rfind('m'), std::string::npos);
+    EXPECT_LT(order.find("hc"), order.rfind('m')) << order;
 }
 
 }  // namespace

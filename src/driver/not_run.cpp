@@ -74,6 +74,11 @@ void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
     }
 }
 
+bool is_of_no_run(const base::Diagnostic& d) {
+    return d.code == base::codes::not_run &&
+           (d.text.ends_with(nothing_calls_it) || d.text.find("never run") != std::string::npos);
+}
+
 void say_that_nothing_moves(base::Diagnostics& diagnostics, const program::Unit* main) {
     base::Diagnostic d;
     d.severity = base::Severity::warning;

@@ -21,6 +21,9 @@ namespace obrys::driver {
 void say_what_was_not_run(const std::vector<const program::Unit*>& in_file,
                           const std::vector<const program::Unit*>& entered, bool all, base::Diagnostics& diagnostics);
 /// With what they end.
+/// Blocks that the control never runs, either: nothing calls them, or the program ends before them.
+[[nodiscard]] bool is_of_no_run(const base::Diagnostic&);
+
 inline constexpr std::string_view nothing_calls_it = " was never run: nothing that was run calls it";
 /// A file of subprograms: the main program that stands around them called none and goes nowhere itself.
 [[nodiscard]] bool holds_subprograms_alone(const std::vector<const program::Unit*>& in_file,

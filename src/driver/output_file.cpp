@@ -175,10 +175,16 @@ void OutputFile::write(std::string_view text) {
     if (std::fwrite(text.data(), 1, text.size(), file_) != text.size()) fail();
 }
 
-bool OutputFile::finish() {
+bool OutputFile::flush() {
     if (file_ == nullptr || error_ != 0) return false;
     errno = 0;
     if (std::fflush(file_) != 0 || std::ferror(file_) != 0) fail();
+    return error_ == 0;
+}
+
+bool OutputFile::finish() {
+    if (file_ == nullptr || error_ != 0) return false;
+    static_cast<void>(flush());
     if (file_ == stdout) return error_ == 0;
     std::FILE* const file = file_;
     file_ = nullptr;

@@ -25,6 +25,8 @@ public:
 
     [[nodiscard]] bool good() const { return error_ == 0; }
     void write(std::string_view text);
+    /// All of it has left this program, in its place or in that of its neighbour. False where that fails.
+    bool flush();
     /// Puts the document in its place. False where not all of it could be written.
     bool finish();
     /// Why it could not be written, in the words of the system.

@@ -50,8 +50,14 @@ std::vector<std::shared_ptr<const program::Unit>> Programs::units_of(std::uint32
     const Language& language = language_of(control_, sources_[file].text, sources_[file].name);
     sources_.set_block_numbers(file, language.numbers);
     std::vector<std::shared_ptr<const program::Unit>> all;
-    for (program::Unit& unit : language.read(file, sources_, names_, *diagnostics_, machine_))
+    std::vector<program::Unit> units = language.read(file, sources_, names_, *diagnostics_, machine_);
+    const bool remarks = keeps_remarks_ && language.remarks.any();
+    if (remarks) sources_.fetch(file);
+    for (program::Unit& unit : units) {
+        if (remarks) program::add_remarks(unit, sources_[file].text, language.remarks);
         all.push_back(std::make_shared<const program::Unit>(std::move(unit)));
+    }
+    if (remarks) sources_.lay_aside(file, static_cast<std::uint32_t>(sources_[file].text.size()));
     return all;
 }
 
@@ -94,6 +100,7 @@ Programs::Programs(const Programs& prepared, base::Sources& sources, base::Diagn
       sources_(sources),
       diagnostics_(&diagnostics),
       machine_(prepared.machine_),
+      keeps_remarks_(prepared.keeps_remarks_),
       names_(&prepared.names_),
       units_(prepared.units_),
       definitions_(prepared.definitions_),

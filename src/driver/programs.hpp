@@ -30,6 +30,8 @@ public:
 
     /// The machine that the programs are for, where somebody has named it; must outlive the reading.
     void set_machine(const shop::Machine* machine) { machine_ = machine; }
+    /// What is read from now on has its remarks.
+    void keep_remarks() { keeps_remarks_ = true; }
     /// Folder in which called programs are looked for, in the order of the calls of this function.
     void add_folder(const fs::path& folder);
     /// Reads a program that is already among the sources; the first unit of an archive is the main one.
@@ -83,6 +85,7 @@ private:
     base::Sources& sources_;
     base::Diagnostics* diagnostics_;
     const shop::Machine* machine_ = nullptr;
+    bool keeps_remarks_ = false;
     program::Names names_;
     std::vector<std::shared_ptr<const program::Unit>> units_;
     std::vector<const program::Unit*> definitions_, backups_;

@@ -6,9 +6,11 @@
 #include "base/codes.hpp"
 #include "driver/compare_programs.hpp"
 #include "driver/control.hpp"
+#include "driver/increments.hpp"
 #include "driver/not_run.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
+#include "motion/cursor.hpp"
 #include "write/lesser.hpp"
 
 namespace obrys::driver {
@@ -51,6 +53,40 @@ void complain_of_lengths(Session& s, const compare::Result& result) {
     s.diagnostics.add(std::move(d));
 }
 
+/// At what feed such a move goes nobody knows, so that no other is the same.
+void complain_of_feed(Session& s, const std::optional<cl::Record>& move) {
+    if (!move) return;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = codes::unknown_value;
+    d.where = move->from;
+    d.stack = s.stacks.sites(move->stack);
+    d.text = "a move at feed, and no feed is programmed: at what feed it goes is not known, so it is not compared";
+    d.remedy = "program F before it";
+    s.diagnostics.add(std::move(d));
+}
+
+/// What a look through the program's stream says about how it can be compared.
+struct Program {
+    double spread = 1;  ///< the widest of its frames
+    std::optional<cl::Record> without_feed{};
+};
+Program look_through(const cl::Recording& stream) {
+    Program out;
+    motion::Cursor cursor;
+    cl::Recording::Playback playback(stream);
+    const auto look = [&](const cl::Record& record) {
+        if (const auto* frame = std::get_if<cl::Frame>(&record.step))
+            out.spread = std::max(out.spread, spread_of(*frame));
+        const std::optional<motion::Step> step = cursor.take(record);
+        if (!step || out.without_feed || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
+        if (step->state.feed.value == 0) out.without_feed = record;
+    };
+    while (playback.step(look)) {
+    }
+    return out;
+}
+
 bool runs_otherwise(const compare::Result& result) {
     return std::any_of(result.first.begin(), result.first.end(),
                        [](const compare::Difference& d) { return d.is_done; });
@@ -58,7 +94,9 @@ bool runs_otherwise(const compare::Result& result) {
 
 /// In what the numbers of words say.
 bool differs_by_rounding(const compare::Result& result) {
-    return result.of(compare::Aspect::motion) != nullptr || result.of(compare::Aspect::feed) != nullptr;
+    using compare::Aspect;
+    return result.of(Aspect::motion) != nullptr || result.of(Aspect::feed) != nullptr ||
+           result.of(Aspect::spindle) != nullptr;
 }
 
 /// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its
@@ -69,6 +107,7 @@ compare::Tolerance as_words_hold(const write::Post& post, compare::Tolerance tol
     if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
     constexpr double slack = 1 + 1e-6;
     tolerance.feed_step = write::half_step(post, "feed") * slack;
+    tolerance.speed_step = write::half_step(post, "speed") * slack;
     return tolerance;
 }
 
@@ -114,7 +153,9 @@ std::string_view name_of(Proof proof) {
 }
 
 Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
-                    const compare::Tolerance& tolerance, const OwnValues& values) {
+                    const compare::Tolerance& wanted_tolerance, const OwnValues& values) {
+    const Program program = translated.does ? look_through(*translated.does) : Program{};
+    const compare::Tolerance tolerance = as_control_counts(post, wanted_tolerance, program.spread);
     Proved out;
     out.why_not = "the post names no control that can be read";
     if (find_control(post.control) == nullptr) return out;
@@ -137,23 +178,26 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     };
     if (!run(tolerance)) return out;
     out.within = tolerance.length;
+    out.increment = post.increment;
     if (const compare::Result first = out.compared; differs_by_rounding(first)) {
         const compare::Tolerance wide = as_words_hold(post, tolerance);
         if (!run(wide)) return out;
         const auto settled = [&](compare::Aspect a) { return first.of(a) != nullptr && out.compared.is_equal(a); };
         if (settled(compare::Aspect::motion)) out.within = std::max(wide.length, wide.on_arcs);
         out.feeds_rounded = settled(compare::Aspect::feed);
+        out.speeds_rounded = settled(compare::Aspect::spindle);
     }
     out.why_not.clear();
     out.moves = out.compared.moves_b;
     if (post.staircase && post.staircase->units > 0) out.within = std::max(out.within, 0.5 / post.staircase->units);
-    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_run(*out.run) == 3;
-    out.run_complains = stops || (unknown && exit_code_of_run(s) != 3);
+    const bool stops = has_findings(*out.run) && !has_findings(s), unknown = exit_code_of_translation(*out.run) == 3;
+    out.run_complains = stops || (unknown && exit_code_of_translation(s) != 3);
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
-    out.proof = unknown || stays || out.compared.lengths ? Proof::not_compared
-                : out.differs                            ? Proof::differs
-                                                         : Proof::same;
+    out.without_feed = program.without_feed;
+    out.proof = unknown || stays || out.without_feed || out.compared.lengths ? Proof::not_compared
+                : out.differs                                                ? Proof::differs
+                                                                             : Proof::same;
     return out;
 }
 
@@ -278,6 +322,7 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     if (best.settled.proved.run != nullptr)
         complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
     complain_of_lengths(session, best.settled.proved.compared);
+    complain_of_feed(session, best.settled.proved.without_feed);
     if (best.settled.proved.run != nullptr && best.settled.proved.compared.moves_a == 0 &&
         best.settled.proved.moves == 0)
         say_that_nothing_moves(session.diagnostics, session.main);
@@ -289,6 +334,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     Proved out = hold_against(translated, post, std::move(request), s, tolerance, values);
     if (out.run != nullptr) complain_of(s, out.compared, *out.run);
     complain_of_lengths(s, out.compared);
+    complain_of_feed(s, out.without_feed);
     return out;
 }
 

@@ -77,7 +77,7 @@ Session::Session(std::shared_ptr<const Session> opened)
       machine_unit(shares->machine_unit),
       has_stored(shares->has_stored),
       spindle_goes_on(shares->spindle_goes_on),
-      canon(shares->canon),
+      stand_alone(shares->stand_alone),
       has_job(shares->has_job),
       looked_ahead_in_vain(shares->looked_ahead_in_vain),
       unusable(shares->unusable) {}
@@ -138,13 +138,24 @@ bool refused(const Session& s) {
            });
 }
 
-int exit_code_of_run(const Session& s) {
+static int exit_code_without(const Session& s, bool (*leaves_out)(const base::Diagnostic&)) {
     bool finding = false, unchecked = false;
     for (const base::Diagnostic& d : s.diagnostics.all()) {
+        if (leaves_out != nullptr && leaves_out(d)) continue;
         finding = finding || base::kind_of(d.code) == base::CodeKind::finding;
         unchecked = unchecked || base::kind_of(d.code) == base::CodeKind::unchecked;
     }
     return refused(s) ? 2 : unchecked ? 3 : finding ? 1 : 0;
+}
+
+int exit_code_of_run(const Session& s) { return exit_code_without(s, nullptr); }
+
+int exit_code_of_translation(const Session& s) { return exit_code_without(s, is_of_no_run); }
+
+double increment_of(const Session& s) {
+    if (s.main == nullptr || !s.main->traits->counts_increments) return 0;
+    const double per_mm = s.job.machine.control.increments_per_mm.value_or(s.main->traits->increments_per_mm);
+    return per_mm > 0 ? 1 / per_mm : 0;
 }
 
 int percent_lines(const Session& s) {
@@ -175,8 +186,8 @@ EnvironmentOf::EnvironmentOf(Session& s)
                   s.programs->definitions(),
                   s.job.variables,
                   s.files.get(),
-                  s.canon,
-                  s.canon ? std::optional(geom::Vec3{}) : std::nullopt,
+                  s.stand_alone,
+                  s.stand_alone ? std::optional(geom::Vec3{}) : std::nullopt,
                   s.has_stored ? &s.stored : nullptr,
                   s.machine_unit,
                   &s.settings,
@@ -197,10 +208,10 @@ Session& with_settings(Session& s) {
 
 }  // namespace
 
-Interpretation::Interpretation(Session& session, cl::Sink sink)
+Interpretation::Interpretation(Session& session, cl::Sink sink, std::optional<interp::Listener> listener)
     : session_(with_settings(session)),
       parts_(session),
-      machine_(*session.main, parts_.environment, session.stacks, sink, session.diagnostics) {}
+      machine_(*session.main, parts_.environment, session.stacks, sink, session.diagnostics, listener) {}
 
 interp::Outcome Interpretation::finish() {
     Session& s = session_;
@@ -216,8 +227,8 @@ interp::Outcome Interpretation::finish() {
     return outcome;
 }
 
-interp::Outcome interpret(Session& s, cl::Sink sink) {
-    Interpretation run(s, sink);
+interp::Outcome interpret(Session& s, cl::Sink sink, std::optional<interp::Listener> listener) {
+    Interpretation run(s, sink, listener);
     while (run.step()) {
     }
     return run.finish();

@@ -39,9 +39,10 @@ struct Request {
     std::shared_ptr<Folders> folders = std::make_shared<Folders>();  ///< of all inputs of a call
     /// Stands in the place of the program's file: what would be written beside it. What is given or set for that
     /// program's variables does not count for it.
-    std::optional<std::string> text{};
-    shop::GivenValues given{};  ///< of `text`: in the place of [variables] of the job
-    bool canon = false;         ///< settings are told, and the machine stands at its zero at the start
+    std::shared_ptr<const std::string> text{};
+    shop::GivenValues given{};   ///< of `text`: in the place of [variables] of the job
+    bool stand_alone = false;    ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
+    bool keeps_remarks = false;  ///< what the programmer has written for people goes into the stream
 };
 
 struct Session {
@@ -70,8 +71,8 @@ struct Session {
     std::map<std::string, std::string> settings;  ///< of the control, "SECTION/KEY" in capitals
     double machine_unit = 1;                      ///< mm of a length of 1 in its tables
     bool has_stored = false;
-    bool spindle_goes_on = false;  ///< through a tool change, as the configuration says
-    bool canon = false;
+    bool spindle_goes_on = false;   ///< through a tool change, as the configuration says
+    bool stand_alone = false;       ///< as the request says
     bool for_these_values = false;  ///< as the request says
     bool has_job = false;
     std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
@@ -97,7 +98,7 @@ public:
 /// The main program interpreted to `sink`, step by step; both must outlive it.
 class Interpretation {
 public:
-    Interpretation(Session& session, cl::Sink sink);
+    Interpretation(Session& session, cl::Sink sink, std::optional<interp::Listener> listener = {});
     /// Makes the next statement; false where the run has ended.
     bool step() { return machine_.step(); }
     /// Once, behind the last step: what is left of the stream, and what only the whole run tells.
@@ -109,8 +110,8 @@ private:
     interp::Machine machine_;
 };
 
-/// Interprets the main program to `sink`.
-interp::Outcome interpret(Session& session, cl::Sink sink);
+/// Interprets the main program to `sink`; `listener` hears what the control is told.
+interp::Outcome interpret(Session& session, cl::Sink sink, std::optional<interp::Listener> listener = {});
 
 /// What the job or the command line says cannot be used, which only the run could tell (exit code 2).
 [[nodiscard]] bool refused(const Session& session);
@@ -118,6 +119,10 @@ interp::Outcome interpret(Session& session, cl::Sink sink);
 /// Of a run alone: 2 refused, 3 something was not understood or run, 1 the control would stop or something else is
 /// wrong.
 [[nodiscard]] int exit_code_of_run(const Session& session);
+/// The same of a program that is translated: what no run of it comes to is said, and is nothing that is not compared.
+[[nodiscard]] int exit_code_of_translation(const Session& session);
+/// mm: the control of the program takes coordinates in such steps; 0: as they are written.
+[[nodiscard]] double increment_of(const Session& session);
 
 /// Lines of the main program's text that hold `%` alone, two at most; 0 where it does not begin with one.
 [[nodiscard]] int percent_lines(const Session& session);

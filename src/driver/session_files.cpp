@@ -112,9 +112,9 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
 }  // namespace
 
 void load_configuration(Session& s, const Request& request) {
-    s.canon = request.canon;
+    s.stand_alone = request.stand_alone;
     s.for_these_values = request.for_these_values;
-    if (request.canon) s.machine_unit = 25.4;
+    if (request.stand_alone) s.machine_unit = 25.4;
     bool keeps_g92 = true;
     if (const auto file = request.configuration.empty()
                               ? std::nullopt
@@ -124,7 +124,7 @@ void load_configuration(Session& s, const Request& request) {
         const double unit = set.mm_per_unit;
         keeps_g92 = set.g92_stays;
         s.spindle_goes_on = set.spindle_goes_on;
-        if (!request.canon || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
+        if (!request.stand_alone || shop::find(ini, "TRAJ", "LINEAR_UNITS") != nullptr) s.machine_unit = unit;
         for (const shop::IniEntry& e : ini.entries)
             s.settings.emplace(base::to_upper(e.section) + "/" + base::to_upper(e.key), e.value);
     }
@@ -181,8 +181,28 @@ void load_backups(Session& s, const Request& request) {
     }
 }
 
+namespace {
+
+/// A text that others hold, too: it is there once.
+class SharedText final : public base::Store {
+public:
+    explicit SharedText(std::shared_ptr<const std::string> text) : text_(std::move(text)) {}
+    [[nodiscard]] std::string_view bytes() const override { return *text_; }
+    void lay_aside(std::size_t, std::size_t) override {}
+    bool fetch(std::size_t, std::size_t) override { return false; }
+
+private:
+    std::shared_ptr<const std::string> text_;
+};
+
+std::uint32_t add_written(Session& s, const Request& request, const fs::path& path) {
+    return s.sources.add(path.string() + " (as written)", std::make_unique<SharedText>(request.text));
+}
+
+}  // namespace
+
 bool read_main(Session& s, const Request& request, const fs::path& path) {
-    const auto file = request.text ? std::optional(s.sources.add(path.string() + " (as written)", *request.text))
+    const auto file = request.text ? std::optional(add_written(s, request, path))
                                    : load(*s.storage, path, s.sources, s.diagnostics, s.job.program_where);
     if (!file) return false;
     s.program = s.sources[*file].name;
@@ -194,6 +214,7 @@ bool read_main(Session& s, const Request& request, const fs::path& path) {
     const Control* control = choose_control(s, request, *file, told ? std::optional(lathe) : std::nullopt);
     if (control == nullptr) return false;
     s.programs = std::make_unique<Programs>(*control, s.sources, s.diagnostics, request.folders);
+    if (request.keeps_remarks) s.programs->keep_remarks();
     s.programs->set_machine(told ? &s.job.machine : nullptr);
     s.programs->add_folder(path.parent_path());
     for (const std::string& folder : request.search) s.programs->add_folder(folder);

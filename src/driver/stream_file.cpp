@@ -30,11 +30,12 @@ bool open_stream(const Request& request, Session& session) {
 interp::Outcome stream_of(Session& session, cl::Sink sink) {
     if (session.main != nullptr) return interpret(session, sink);
     cl::TextReader reader(session.sources, 0, session.diagnostics);
+    cl::Record placed;
     base::Span of_program, here;  // the places of a program that is not at hand: records of one block stay together
     const auto place = [&](const cl::Record& record) {
         if (!(record.from == of_program)) here = reader.line();
         of_program = record.from;
-        cl::Record placed = record;
+        placed = record;  // mostly a move behind a move: nothing is allocated
         placed.from = here;
         placed.stack = 0;
         sink(placed);

@@ -35,41 +35,6 @@ std::string faults(const Case& c, std::string_view control, shop::MachineKind ki
     return out;
 }
 
-std::vector<std::string> lines_of(const std::string& text) {
-    std::vector<std::string> lines;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find('\n', at), text.size());
-        lines.push_back(text.substr(at, end - at));
-        at = end + 1;
-    }
-    return lines;
-}
-
-/// One to three changes.
-std::string mutated(const std::string& text, std::mt19937& random, const std::vector<std::string_view>& words) {
-    std::vector<std::string> lines = lines_of(text);
-    const auto below = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
-    for (std::size_t n = 1 + below(3); n > 0 && lines.size() > 2; --n) {
-        const std::size_t i = 1 + below(lines.size() - 1);
-        const auto at = lines.begin() + static_cast<std::ptrdiff_t>(i);
-        switch (below(4)) {
-            case 0: lines.erase(at); break;
-            case 1: lines.insert(at, std::string(lines[below(lines.size())])); break;
-            case 2: std::swap(lines[i], lines[below(lines.size())]); break;
-            default: {
-                const std::string word(words[below(words.size())]);
-                if (word.starts_with('\n'))
-                    lines.insert(at, word.substr(1));
-                else
-                    lines[i] += word;
-            }
-        }
-    }
-    std::string out;
-    for (const std::string& line : lines) out += line + "\n";
-    return out;
-}
-
 struct Way {
     std::string folder;
     std::string_view control;
@@ -89,7 +54,7 @@ int hold(const Way& way) {
             const std::string wrong = faults(m, way.control, way.kind, way.tolerance);
             EXPECT_EQ(wrong, "") << "seed " << seed << ", " << c.name << ", mutation " << n << " of 0:\n" << m.text;
             ++looked_at;
-            m.text = mutated(c.text, random, way.words);
+            m.text = testing::mutated(c.text, random, way.words);
         }
     }
     return looked_at;

@@ -37,7 +37,7 @@ void load_tool_file(Session& s, const fs::path& path, const base::Span& where) {
     if (file) s.job.tools = shop::merge_tools(std::move(s.job.tools), read_tool_file(path, *file, s));
 }
 
-/// Canonical calls are compared with those of the control's stand-alone interpreter, which knows some tools.
+/// The control's stand-alone interpreter knows some tools.
 void take_example_tools(Session& s) {
     const std::string_view table = find_control(s.control)->interpreter_tools;
     if (table.empty()) return;
@@ -59,7 +59,7 @@ void take_example_tools(Session& s) {
 void load_tools(Session& s, const Request& request, const fs::path& base_path) {
     for (const shop::NamedFile& f : s.job.tool_files) load_tool_file(s, beside(base_path, f.path), f.where);
     for (const std::string& name : request.tools) load_tool_file(s, name, nowhere);
-    if (s.canon && s.job.tools.empty()) take_example_tools(s);
+    if (s.stand_alone && s.job.tools.empty()) take_example_tools(s);
     for (const shop::Tool& t : s.job.tools)
         if (!t.assumed.empty())
             s.diagnostics.add({base::Severity::note, codes::assumption, t.where, t.assumed, {}, {}, {}});

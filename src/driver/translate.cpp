@@ -1,8 +1,11 @@
 #include "driver/translate.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "base/codes.hpp"
+#include "base/memory.hpp"
+#include "base/text.hpp"
 #include "driver/canon.hpp"
 #include "driver/control.hpp"
 #include "driver/files.hpp"
@@ -19,12 +22,6 @@ namespace {
 std::vector<std::string> candidates(const std::string& name, shop::MachineKind kind) {
     if (kind == shop::MachineKind::lathe) return {name + "-lathe", name};
     return {name};
-}
-
-/// Names of programs hold no blanks; those of files may.
-std::string without_blanks(std::string name) {
-    std::replace(name.begin(), name.end(), ' ', '_');
-    return name;
 }
 
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
@@ -65,7 +62,38 @@ write::LoadText beside_post(const std::string& name, Session& s) {
 std::optional<write::Post> find_post(const std::string& name, Session& s, PostFor way) {
     const std::optional<std::uint32_t> file = load_post(name, s);
     if (!file) return std::nullopt;
-    return checked(write::read_post(*file, s.sources, s.diagnostics, beside_post(name, s)), *file, s, way);
+    std::optional<write::Post> post =
+        checked(write::read_post(*file, s.sources, s.diagnostics, beside_post(name, s)), *file, s, way);
+    const std::optional<double>& per_mm = s.job.machine.control.increments_per_mm;
+    if (post && post->increment > 0 && per_mm) write::count_in(*post, 1 / *per_mm);
+    return post;
+}
+
+std::string name_in(const write::Post& post, std::string name) {
+    std::string out;
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        const char c = name[i];
+        const bool is_plain = base::is_letter(c) || base::is_digit(c) || c == '_' || c == '-' || c == '.';
+        const bool goes_on = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;  // of a letter of several bytes
+        if (post.name_is_plain && !is_plain && goes_on) continue;
+        out += c == ' ' || (post.name_is_plain && !is_plain) ? '_' : c;
+    }
+    if (post.longest_name != 0 && out.size() > post.longest_name) out.resize(post.longest_name);
+    return out;
+}
+
+std::string said_name_in(const write::Post& post, const std::string& name, Session& s) {
+    std::string out = name_in(post, name);
+    std::string blank = name;
+    std::replace(blank.begin(), blank.end(), ' ', '_');
+    if (out == blank) return out;
+    base::Diagnostic d;
+    d.severity = base::Severity::note;
+    d.code = codes::written_by_moves;
+    if (s.main != nullptr) d.where = {s.main->file, s.main->begin, s.main->begin};
+    d.text = "the program is called " + out + ": the control takes no name as " + name;
+    s.diagnostics.add(std::move(d));
+    return out;
 }
 
 base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
@@ -76,16 +104,17 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
-    d.text = file + "line " + std::to_string(note.line) + ": " + write::sentence_of(note);
+    if (note.line != 0) d.text = file + "line " + std::to_string(note.line) + ": ";
+    d.text += write::sentence_of(note);
     return d;
 }
 
 namespace {
 
-/// The run tells its settings where the session was opened for that (Request::canon).
+/// The session was opened for it (Request::stand_alone): its calls are those of that interpreter.
 Translated translate_to_canon(Session& session) {
     Translated out;
-    const auto write = [&](std::string_view text) { out.text += text; };
+    const auto write = [&](std::string_view text) { out.text->append(text); };
     cl::Recording does;
     const interp::Outcome outcome =
         print_canon(session, write, false, [&](const cl::Record& record) { does.take(record); });
@@ -94,11 +123,19 @@ Translated translate_to_canon(Session& session) {
     return out;
 }
 
+/// A text about as long as that which it is written from has its room at once: nothing is copied when it grows.
+void make_room(std::string& text, std::size_t written_from) {
+    constexpr std::size_t large = 2 * base::large_page;
+    if (written_from < large) return;
+    text.reserve(written_from + written_from / 4);
+    base::prefer_large_pages(text.data(), text.capacity());
+}
+
 /// Characters that the code of the tape does not have.
 void note_characters(Translated& out, const write::Post& post) {
     out.tape = post.tape;
     if (post.tape == write::Tape::none) return;
-    for (const write::MissingCharacter& c : write::missing_characters(out.text, post.tape))
+    for (const write::MissingCharacter& c : write::missing_characters(*out.text, post.tape))
         static_cast<void>(out.ledger.add(
             {write::Fate::lost,
              "'" + c.character + "', which the " + std::string(write::name_of(post.tape)) + " code of tapes has not,",
@@ -127,7 +164,7 @@ UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t re
 void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
                   const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr) {
     write::Output output;
-    output.text = [&](std::string_view text) { out.text += text; };
+    output.text = [&](std::string_view text) { out.text->append(text); };
     output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
     if (options.files)
         output.file = [&](const std::string& file, std::string_view text) {
@@ -139,7 +176,7 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
         if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
     };
     output.run = std::move(run);
-    write::Writer writer(post, without_blanks(options.name), output);
+    write::Writer writer(post, name_in(post, options.name), output);
     stream([&](const cl::Record& record) {
         ++taken;
         writer.take(record);
@@ -149,6 +186,31 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
     if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
     note_characters(out, post);
+}
+
+bool has_remarks(const Session& s) {
+    const auto has = [](const auto& unit) { return !unit->remarks.empty(); };
+    return s.programs != nullptr && std::any_of(s.programs->units().begin(), s.programs->units().end(), has);
+}
+
+/// Remarks of statements that no run comes to, or from which nothing of its own comes.
+void note_missing_remarks(Translated& out, const Session& session) {
+    std::set<std::pair<std::uint32_t, std::uint32_t>> written;
+    cl::Recording::Playback stream(*out.does);
+    const auto take = [&](const cl::Record& record) {
+        if (std::holds_alternative<cl::Comment>(record.step)) written.emplace(record.from.file, record.from.begin);
+    };
+    while (stream.step(take)) {
+    }
+    for (const auto& unit : session.programs->units())
+        for (const program::Remark& remark : unit->remarks) {
+            write::Note note;
+            note.fate = write::Fate::expanded;
+            note.what = "a comment of what is not run, or of a contour,";
+            note.from = unit->span(unit->statements[remark.statement]);
+            note.instead = "is left out";
+            if (written.emplace(note.from.file, note.from.begin).second) static_cast<void>(out.ledger.add(note));
+        }
 }
 
 /// The post has no word for that.
@@ -174,6 +236,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     if (shop::Budgets& limits = session.job.budgets; !limits.bounds_loops) limits.loop_passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
+    make_room(*out.text, session.sources[session.main != nullptr ? session.main->file : 0].text.size());
     cl::Recording does;
     std::optional<write::Magazine> magazine;
     if (post.magazine) magazine.emplace(*post.magazine);
@@ -194,6 +257,7 @@ Translated write_again(const Translated& first, const write::Post& post, const T
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
+    make_room(*out.text, first.text->size());
     write_stream(out, post, options, [&](cl::Sink sink) {
         cl::Recording::Playback stream(*out.does);
         while (stream.step(sink)) {
@@ -203,6 +267,7 @@ Translated write_again(const Translated& first, const write::Post& post, const T
 }
 
 void tell(Session& session, Translated& translated) {
+    if (translated.stairs.empty() && has_remarks(session)) note_missing_remarks(translated, session);
     for (const Ledger::Entry& entry : translated.ledger.entries())
         if (entry.note.fate != write::Fate::mapped) session.diagnostics.add(complaint_of(entry.note, session));
     add_not_understood(translated.ledger, session, translated.ending);

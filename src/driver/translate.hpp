@@ -24,6 +24,10 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// is none.
 [[nodiscard]] std::optional<write::Post> find_post(const std::string& name, Session& session,
                                                    PostFor way = PostFor::moves);
+/// The name as the control takes it (`[file]` of the post); names of programs hold no blanks.
+[[nodiscard]] std::string name_in(const write::Post& post, std::string name);
+/// The same, and says so where it is another one.
+[[nodiscard]] std::string said_name_in(const write::Post& post, const std::string& name, Session& session);
 /// Its text among the session's sources; as above.
 [[nodiscard]] std::optional<std::uint32_t> load_post(const std::string& name, Session& session);
 /// Loads what an own post names beside itself: hooks, the post that it extends. Nothing for shipped ones.
@@ -39,7 +43,7 @@ struct UsedForm {
 
 /// What was written, and what it was written from.
 struct Translated {
-    std::string text;
+    std::shared_ptr<std::string> text = std::make_shared<std::string>();  ///< whoever runs it shares it
     std::vector<WrittenFile> files;  ///< subprograms in files of their own, beside it
     Ledger ledger;
     std::shared_ptr<const cl::Recording> does;  ///< what the program does; by a post with staircases what these do
@@ -89,10 +93,13 @@ struct Proved {
     std::size_t moves = 0;  ///< that it makes
     double within = 0;      ///< mm: as near to the program as the comparison says; staircases are on the words' places
     std::string why_not;    ///< it was not compared at all; empty: it was
-    std::unique_ptr<Session> run;  ///< null: its control is none that can be read
-    bool run_complains = false;    ///< what it complains about is news
-    bool feeds_rounded = false;    ///< as their words hold them
-    compare::Result compared{};    ///< with the program
+    std::unique_ptr<Session> run;              ///< null: its control is none that can be read
+    bool run_complains = false;                ///< what it complains about is news
+    bool feeds_rounded = false;                ///< as their words hold them
+    bool speeds_rounded = false;               ///< the same of the spindle
+    double increment = 0;                      ///< mm, in which the control counts; 0: places are as written
+    std::optional<cl::Record> without_feed{};  ///< the program's first move at feed for which it has programmed none
+    compare::Result compared{};                ///< with the program
 };
 /// Without a word to the session, which is that of the program, as `request` is.
 [[nodiscard]] Proved hold_against(const Translated& translated, const write::Post& post, Request request,

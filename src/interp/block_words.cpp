@@ -17,6 +17,7 @@ void BlockWords::clear() {
     thread_start.reset();
     positioned.clear();
     pending.clear();
+    behind.clear();
 }
 
 }  // namespace obrys::interp

@@ -64,6 +64,7 @@ struct BlockWords {
     std::vector<NamedAxis> positioned;   ///< linear axes that move on their own (POS, POSA); name: of the axis
     bool goes_on = false;                ///< … and the program does not wait for one of them
     std::vector<PendingAssign> pending;
+    std::vector<Modal> behind;           ///< Traits::modes_behind_motion
     Modal special = Modal::linear;       ///< dwell, reference point, fixed point, pole; linear: none
     Modal suppress = Modal::linear;      ///< suppress_frames, suppress_all; linear: none
     Modal corner_end = Modal::linear;    ///< corner_crossing, corner_open; linear: none

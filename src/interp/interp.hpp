@@ -39,8 +39,9 @@ struct Environment {
     const shop::GivenValues& variables;
     /// Tables and forms that the program reads, and what it prints; null: there are none.
     ShopFiles* files = nullptr;
-    /// cl::Setting records are wanted: what the program sets besides moves, as often as it sets it.
-    bool tell_settings = false;
+    /// LinuxCNC's interpreter by itself (rs274): what nobody gives it has as it is delivered (parameters 0, no tool in
+    /// the spindle, axes X Y Z A B C), and there is no machine, tool or workpiece that could be otherwise.
+    bool stand_alone = false;
     /// Where the machine stands at first, machine coordinates; nothing: not known.
     std::optional<geom::Vec3> start{};
     /// What the control's numbered parameters hold before the run; null: not known.

@@ -8,10 +8,12 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cl/record.hpp"
 #include "geom/frame.hpp"
+#include "interp/heard.hpp"
 #include "program/word.hpp"
 
 namespace obrys::interp {
@@ -27,6 +29,14 @@ struct Transform {
     geom::Frame frame;
     int axis = -1;         ///< of mirror images that each axis has of its own (centred.cpp)
     cl::PlaneTurn turn{};  ///< of tilted planes
+};
+
+/// What a tilted plane still wants of the rotary axes.
+enum class PlaneWait : std::uint8_t {
+    none,
+    for_axes,  ///< a word of its own is to turn them to it (G53.1)
+    ended,     ///< none is in force any more: how they count from here on goes with the next move
+    lost       ///< the plane was not run
 };
 
 /// What stays in force from block to block; SAVE brings it back at the end of a subprogram.
@@ -57,7 +67,11 @@ struct ModalState {
     geom::Vec3 datum_offset;  ///< of a datum that the program sets itself (FN 25), in the selected one, mm
     geom::Frame programmed;   ///< TRANS, ROT, SCALE, MIRROR; product of `transforms` where there are any
     std::vector<Transform> transforms;
-    Modal last_sense = Modal::linear;   ///< of the last arc; linear: none yet
+    PlaneWait plane_waits = PlaneWait::none;
+    geom::Vec3 tip_before_end;  ///< on the workpiece, where the last plane has ended
+    std::pair<std::uint32_t, std::string> tool_before_plane{0, {}};
+    geom::Vec3 axis_before_plane{0, 0, 1};  ///< of the tool, before the last tilted plane or its end
+    Modal last_sense = Modal::linear;       ///< of the last arc; linear: none yet
     bool cartesian_path = false;        ///< the path function in force takes no polar coordinates (DIN/ISO G00 … G06)
     Modal paraxial = Modal::paraxial;   ///< G43, G44 of DIN/ISO: paraxial_longer, paraxial_shorter; paraxial: neither
     Modal before_cycle = Modal::rapid;  ///< motion that the hole cycle in force took the place of
@@ -88,6 +102,7 @@ struct ModalState {
     double corner_feed_modal = 0;  ///< FRCM
     geom::Vec3 pole;               ///< workpiece coordinates
     bool pole_set = false;         ///< the program has set it
+    int pole_plane = 0;            ///< 17, 18, 19: of its coordinates, where that is not the working plane; else 0
     // What nobody has said is not as a control begins: it holds what the program before has left.
     std::uint32_t groups_said = 0;  ///< bit per program::ModalGroup of which the program has said a word
     bool feed_said = false, mist_said = false, flood_said = false;  ///< F; M7, M8 or M9
@@ -125,7 +140,6 @@ struct OtherSpindles {
 };
 
 /// X Y Z A B C U V W; mm or degrees.
-using Axes = std::array<double, 9>;
 [[nodiscard]] inline std::string axis_name(std::size_t axis) { return std::string(1, "XYZABCUVW"[axis]); }
 
 /// Offsets that the control keeps in parameters (Traits::offsets) and those laid over them.
@@ -141,6 +155,7 @@ struct Offsets {
     enum class Length : std::uint8_t { none, of_tool, by_values };
     Length length = Length::none;
     std::uint32_t length_tool = 0;  ///< number of that tool
+    std::uint32_t said_for = 0;     ///< the tool that was in the spindle when that number was programmed
     /// H programmed last (Traits::offset_numbers_stay); NaN: none yet.
     double number = std::numeric_limits<double>::quiet_NaN();
     bool subtracts = false;          ///< G44 rather than G43

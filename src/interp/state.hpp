@@ -22,12 +22,14 @@
 #include "interp/block_words.hpp"
 #include "interp/call_state.hpp"
 #include "interp/cycle_state.hpp"
+#include "interp/heard.hpp"
 #include "interp/interp.hpp"
 #include "interp/machine_state.hpp"
 #include "interp/modes.hpp"
 #include "interp/selected_zero.hpp"
 #include "interp/value.hpp"
 #include "interp/variables.hpp"
+#include "path/element.hpp"
 #include "program/modal_group.hpp"
 
 namespace obrys::interp {
@@ -139,6 +141,7 @@ struct Reckoning : Saying, ToolRack {
     std::array<bool, 3> unsaid_since_change{};
     cl::AxisEnds ends;                                        ///< of the axes that the next move takes along
     std::pair<std::uint32_t, std::string> changed_to{0, {}};  ///< number and name of that tool
+    std::set<std::uint32_t> tools_called;                     ///< by their numbers, up to here
     geom::Frame frame;                                        ///< programmed frame -> stream frame
     bool frame_is_identity = true;
     geom::Vec3 tool_axis{0, 0, 1};        ///< in the stream's frame: normal to a tilted working plane
@@ -182,6 +185,7 @@ struct Telling : Reckoning {
     cl::Record record;
 
     cl::Sink sink;                           ///< takes the records
+    std::optional<Listener> listener;        ///< hears what the control is told
     Apart<std::unique_ptr<PathStage>> path;  ///< holds back what is to come out
 };
 
@@ -193,8 +197,8 @@ struct Moving : Telling {
     PlainKinds plain_kinds;
     CannedState canned;
     ControlCurve curve;
-    geom::Vec3 last_spline_end;  ///< P and Q of the last G5, mm
-    geom::Vec2 last_direction;   ///< of the last move in the working plane, for CT
+    geom::Vec3 last_spline_end;         ///< P and Q of the last G5, mm
+    path::EndDirection last_direction;  ///< of the last move in the working plane, for CT
     SolvedContour free_contour;
     std::map<std::string, base::Span> underway;            ///< axes that POSA has sent, and nothing waited for yet
     std::array<std::array<double, 7>, 2> rounding_said{};  ///< what note_rounding has looked at last, feed and rapid
@@ -208,9 +212,19 @@ struct WatchedLoop {
     std::uint64_t passes = 0;  ///< without having left it
 };
 
+/// What the run remembers of loops (calls/loop_marks.cpp).
+struct LoopMarks {
+    using Place = std::pair<const Unit*, std::uint32_t>;
+    bool broke = false, passed = false;     ///< by a break, by a continue
+    std::map<Place, std::uint64_t> left;    ///< passes of repeat_count statements, the one being run not counted
+    std::map<Place, std::uint32_t> labels;  ///< statement that has taken Branch::same_label
+};
+
 /// Calls of programs, loops and ends.
 struct Calling : Moving {
     using Moving::Moving;
+
+    LoopMarks marks;
 
     ModalCall modal_call;
     WatchedLoop watched;

@@ -69,7 +69,6 @@ void Cursor::take_modal(const cl::Record& record) {
                    [](const cl::Stop&) {},
                    [](const cl::Comment&) {},
                    [](const cl::Auxiliary&) {},
-                   [](const cl::Setting&) {},
                },
                record.step);
 }

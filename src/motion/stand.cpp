@@ -136,6 +136,7 @@ Stand::View Stand::made_view(const Vec3& axis) const {
         v.doubt = "the rotary axes of the machine are not known: the tool is taken to stand as the tilted plane asks";
         v.remedy = "name a machine whose chain holds them (docs/machine-file.md)";
     }
+    if (!upright() || geom::distance(axis, {0, 0, 1}) > along_axis) v.linear = linear_axes();
     if (offsets_ && raised_ != 0) v.frame = geom::Frame::shift(raised_ * axis);
     if (offsets_) return v;
     if (!tool_length_known()) {
@@ -158,6 +159,7 @@ Stand::View Stand::swivelled_view() const {
     v.axis = geom::apply_direction(shop::spindle_frame(chain_, values_), {0, 0, 1});
     v.frame.linear = {x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z};
     v.frame.origin = o;
+    v.linear = {x, y, z};
     if (geom::is_finite(o) && tool_length_known()) return v;
     const bool zero = tool_length_known();
     v.problem = std::string(
@@ -166,6 +168,16 @@ Stand::View Stand::swivelled_view() const {
                 (zero ? "the zero offset" : "the tool's length") + ", which is not known: removal not simulated";
     v.remedy = zero ? "give the zero offset in [datum] of the job" : "give the tool with its length in the job";
     return v;
+}
+
+std::array<Vec3, 3> Stand::linear_axes() const {
+    const Vec3 unknown{NAN, NAN, NAN};
+    std::array<Vec3, 3> axes{unknown, unknown, unknown};
+    if (!has_rotary_) return axes;
+    for (const Way& w : ways())
+        if (const std::size_t k = std::string_view("XYZ").find(w.name); w.name.size() == 1 && k < axes.size())
+            axes[k] = w.along;
+    return axes;
 }
 
 std::vector<Stand::Way> Stand::ways() const {

@@ -2,6 +2,7 @@
 /// How a milling machine stands: its rotary axes, tool and zero, and what follows for a programmed point: where it is
 /// on the workpiece, and where the linear axes must be for it.
 
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -43,6 +44,8 @@ public:
         std::string doubt;  ///< not empty: what is taken for granted and cannot be checked
         geom::Frame frame;
         geom::Vec3 axis{0, 0, 1};
+        /// Along which the machine's X, Y and Z move the tool on the workpiece; NaN where that is not known.
+        std::array<geom::Vec3, 3> linear{geom::Vec3{1, 0, 0}, geom::Vec3{0, 1, 0}, geom::Vec3{0, 0, 1}};
     };
     /// `axis`: of the move, as programmed. Holds until the next call.
     [[nodiscard]] const View& view(const geom::Vec3& axis);
@@ -70,6 +73,7 @@ private:
     void update();
     [[nodiscard]] View made_view(const geom::Vec3& axis) const;
     [[nodiscard]] View swivelled_view() const;
+    [[nodiscard]] std::array<geom::Vec3, 3> linear_axes() const;
 
     const shop::Machine& machine_;
     shop::Chain chain_;

@@ -25,6 +25,21 @@ double feed_seconds(const cl::Feed& feed, double way, double speed) {
     return NAN;
 }
 
+double feed_seconds(const Step& step, double way, double highest) {
+    const double radius = std::isnan(step.from.x) ? step.to.x : (step.from.x + step.to.x) / 2;
+    cl::Feed feed = step.state.feed;
+    if (const auto* thread = std::get_if<cl::Thread>(&step.record.step))
+        feed = {std::abs(thread->pitch), cl::FeedMode::per_rev};
+    return feed_seconds(feed, way, spindle_speed(step.state.spindle, std::abs(radius), highest));
+}
+
+double dwell_seconds(const cl::Dwell& dwell, const cl::Spindle& spindle, double radius, double highest) {
+    cl::Spindle turning = spindle;
+    turning.speed = spindle_speed(spindle, std::abs(radius), highest);
+    turning.mode = cl::SpindleMode::rpm;
+    return cl::seconds_of(dwell, turning);
+}
+
 double rapid_seconds(const shop::Machine& machine, double way) {
     double slowest = INFINITY;
     for (const shop::MachineAxis& a : machine.axes)

@@ -60,8 +60,9 @@ void CornerStage::release(Element& next, CornerResult r, CornerSink out) {
     between_.clear();
     r.inserted.w_from = r.inserted.w_to = w;
     if (request_.feed_of_next) std::swap(r.inserted.before, r.second.before);
-    r.inserted.before.insert(r.inserted.before.end(), request_.before.begin(), request_.before.end());
-    r.second.before.insert(r.second.before.begin(), request_.after.begin(), request_.after.end());
+    r.inserted.before.append(request_.before);
+    Events sooner = request_.after;
+    r.second.before.put_before(sooner);
     out({std::move(r.inserted), true});
     next = std::move(r.second);
 }

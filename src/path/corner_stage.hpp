@@ -20,7 +20,7 @@ struct CornerRequest {
     bool feed_of_next = true;  ///< the next element's events come before the inserted one (F of the leading-away block)
     /// Not null: the next element must not run against it (sizes whose sign says where the corner turns).
     geom::Vec2 toward{};
-    std::vector<int> before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)
+    Events before{}, after{};  ///< events round the inserted element alone (FRC=: its feed, and back)
 };
 
 struct CornerFault {

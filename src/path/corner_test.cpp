@@ -124,8 +124,8 @@ TEST(corner_stage, ModalRoundingAndEvents) {
     EXPECT_TRUE(r.faults.empty());
     ASSERT_EQ(r.out.size(), 6u);
     EXPECT_TRUE(r.out[1].inserted);
-    EXPECT_EQ(r.out[1].element.before, (std::vector<int>{5, 90}));
-    EXPECT_EQ(r.out[2].element.before, (std::vector<int>{91}));
+    EXPECT_EQ(r.out[1].element.before, (Events{5, 90}));
+    EXPECT_EQ(r.out[2].element.before, (Events{91}));
     EXPECT_TRUE(r.out[4].inserted);
     for (std::size_t i = 1; i < r.out.size(); ++i) expect_near(r.out[i].element.from, r.out[i - 1].element.to);
 }

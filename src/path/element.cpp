@@ -18,18 +18,22 @@ bool hardly_moves_in_plane(const Element& e) {
 
 namespace {
 
-Vec2 tangent_at(Vec2 p, Vec2 centre, double sweep) {
-    const Vec2 radial = p - centre;
+Vec2 across(Vec2 radial, double sweep) {
     return (std::copysign(1.0, sweep) / geom::length(radial)) * geom::left_of(radial);
 }
 
-Vec2 line_direction(const Element& e) { return (1.0 / geom::distance(e.from, e.to)) * (e.to - e.from); }
+Vec2 along(Vec2 way) { return (1.0 / geom::length(way)) * way; }
 
 }  // namespace
 
-Vec2 start_direction(const Element& e) { return is_arc(e) ? tangent_at(e.from, e.centre, e.sweep) : line_direction(e); }
+Vec2 start_direction(const Element& e) { return is_arc(e) ? across(e.from - e.centre, e.sweep) : along(e.to - e.from); }
 
-Vec2 end_direction(const Element& e) { return is_arc(e) ? tangent_at(e.to, e.centre, e.sweep) : line_direction(e); }
+Vec2 end_direction(const Element& e) { return EndDirection(e).get(); }
+
+Vec2 EndDirection::get() const {
+    if (!of_element_) return way_;
+    return sweep_ != 0 ? across(way_, sweep_) : along(way_);
+}
 
 double planar_length(const Element& e) {
     if (!is_arc(e)) return geom::distance(e.from, e.to);
@@ -46,13 +50,7 @@ Vec2 point_at(const Element& e, double fraction) {
 
 double turn_between(Vec2 a, Vec2 b) { return std::atan2(geom::cross(a, b), geom::dot(a, b)); }
 
-Element line(Vec2 from, Vec2 to, double w) {
-    Element e;
-    e.from = from;
-    e.to = to;
-    e.w_from = e.w_to = w;
-    return e;
-}
+Element line(Vec2 from, Vec2 to, double w) { return {from, to, w, w, {}, 0, 0, {}}; }
 
 Element arc(Vec2 from, Vec2 centre, double sweep, double w) {
     Element e = line(from, centre + rotated(from - centre, sweep), w);

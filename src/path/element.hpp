@@ -5,9 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <vector>
 
 #include "geom/vec.hpp"
+#include "path/events.hpp"
 
 namespace obrys::path {
 
@@ -21,8 +21,8 @@ struct Element {
     double w_from = 0, w_to = 0;
     geom::Vec2 centre;
     double sweep = 0;
-    std::uint64_t tag = 0;      ///< the caller's: index of the block or source span; never interpreted here
-    std::vector<int> before{};  ///< the caller's events (feed change, M function …) due before this element, in order
+    std::uint64_t tag = 0;  ///< the caller's: index of the block or source span; never interpreted here
+    Events before{};        ///< the caller's events (feed change, M function …) due before this element, in order
     bool operator==(const Element&) const = default;
 };
 
@@ -43,6 +43,22 @@ struct Element {
 /// Unit tangents in the direction of motion; require moves_in_plane.
 [[nodiscard]] geom::Vec2 start_direction(const Element& e);
 [[nodiscard]] geom::Vec2 end_direction(const Element& e);
+/// The last of these, reckoned only where it is asked for: of every element of a contour it is kept, of few it is
+/// needed.
+class EndDirection {
+public:
+    EndDirection() = default;
+    /// A vector that need be no unit vector.
+    explicit EndDirection(geom::Vec2 direction) : way_(direction) {}
+    explicit EndDirection(const Element& e)
+        : way_(is_arc(e) ? e.to - e.centre : e.to - e.from), sweep_(e.sweep), of_element_(true) {}
+    [[nodiscard]] geom::Vec2 get() const;
+
+private:
+    geom::Vec2 way_;  ///< of an arc: from the centre to its end
+    double sweep_ = 0;
+    bool of_element_ = false;
+};
 /// Length in the plane, mm.
 [[nodiscard]] double planar_length(const Element& e);
 /// The plane point at a fraction 0 … 1 of the element; an arc whose end radii differ runs as a spiral.

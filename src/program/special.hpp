@@ -36,6 +36,10 @@ enum class SpecialKind : std::uint8_t {
     plane_relative,
     plane_axial,
     plane_reset,
+    plane_roll_pitch_yaw,  ///< about X, Y, Z: whether as they stand or as the turns before have left them is not known
+    plane_of_axes,         ///< as the rotary axes stand (Haas G254)
+    plane_not_said,        ///< a form that is not run: which plane holds from here on is not known
+    plane_taken_up,        ///< no plane: the rotary axes turn to the one in force (G53.1)
 };
 
 enum class Datum : std::uint8_t {
@@ -92,7 +96,12 @@ enum class Datum : std::uint8_t {
     point1_z,
     point2_z,
     point3_z,
-    positioning,  ///< 0 STAY, 1 MOVE, 2 TURN
+    origin_x,
+    origin_y,
+    origin_z,
+    order,        ///< of angles about the fixed axes: 123 X, Y, Z
+    positioning,  ///< 0 STAY, 1 MOVE, 2 TURN, 3 by a word of its own that is still to come, 4 the tool stands on it
+                  ///< whoever turns the axes (CL data)
     side,         ///< SEQ +1, -1
     distance,     ///< DIST of MOVE
     table_turns,  ///< 1: TABLE ROT, 0: COORD ROT

@@ -44,6 +44,17 @@ struct AlarmNumbers {
     std::string_view circle_compensates{};  ///< radius compensation begins or ends on a circle
 };
 
+/// How axes that begin a rapid move together end it.
+enum class RapidWay : std::uint8_t {
+    straight,   ///< all at once
+    each_axis,  ///< each at its own rapid, so that the way bends, as the control is delivered
+    by_setting  ///< the builder of the machine decides
+};
+struct Rapids {
+    RapidWay way = RapidWay::straight;
+    std::string_view setting{};  ///< with which each axis goes by itself
+};
+
 /// What the control itself writes into numbered parameters while a program runs.
 enum class ControlValue : std::uint8_t {
     tool_radius,     ///< with all allowances

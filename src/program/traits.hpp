@@ -58,6 +58,7 @@ struct Traits {
     /// programmed last.
     bool polar_from_position = false;
     DatumNames datum{};
+    Rapids rapids{};
     /// Machine coordinates in a program are those of the spindle's gauge point; else of the tip.
     bool machine_words_are_gauge_point = false;
     /// Assignments of a block take effect together, behind the last expression of the block: `#1=2 X#1` has the old #1.
@@ -93,6 +94,8 @@ struct Traits {
     OffsetParameters offsets{};
     /// M5 and M9 act before the block's motion; else behind it.
     bool stops_before_motion = false;
+    /// What holds from the end of the block that says it, behind its motion.
+    std::span<const Modal> modes_behind_motion{};
     /// M6 changes the tool on every machine; else on mills alone, and T does so on lathes.
     bool changes_on_m6 = false;
     /// What T names besides the tool is the number of its offset, by habit the tool's own; else D names an edge.
@@ -173,12 +176,22 @@ struct Traits {
     bool helix_lead_across = false;
     /// Setting the position (G92) in G91 adds to the coordinates; else they become what the block says.
     bool position_adds_in_increments = false;
+    /// A break, a continue and the passes left of a repeat are remembered until the end of a loop asks for them, which
+    /// may be another loop (interp/calls/loop_marks.cpp).
+    bool loops_remember = false;
+    /// Programs one in another, the main program counted, beyond which the control stops; 0: the job's budget says it.
+    std::uint32_t call_levels = 0;
     /// Called programs one in another that every series of the control takes; 0: they all take the same.
     std::uint32_t common_call_levels = 0;
     /// Axis words beside the word that takes such shifts back (G92.1 X0) name its axes; else they are a way.
     bool position_reset_names_axes = false;
     /// The unit of length (G20, G21) is said before the first move and may not change behind it.
     bool unit_before_motion = false;
+    /// Of two positions for a tilted plane the rotary axes go to the one whose first axis (that carries the other one;
+    /// the table's before the head's) has the shorter way, then the second one, then whose first one stands nearer to
+    /// 0; else to the one with the shorter way of all. Source: FANUC 16i/18i-MB operator's manual, tool axis direction
+    /// control, "Angle of rotation axis".
+    bool first_rotary_axis_decides = false;
     /// The first tool in the spindle says which axis it lies along (TOOL CALL 1 Z).
     bool first_tool_says_axis = false;
     /// G28 and G30 end the compensation of the tool's length.
@@ -201,12 +214,20 @@ struct Traits {
     /// mm (of a program in inches) by which the radii of an arc's ends may differ, if not more than a thousandth of it;
     /// 0: what the machine says.
     double arc_tolerance = 0, arc_tolerance_inch = 0;
+    /// Coordinates and lengths count in least input increments: what is finer is rounded, as the machine file says
+    /// how fine they are, else to so many a millimetre (of a program in inches a tenth of them); 0: as written.
+    bool counts_increments = false;
+    double increments_per_mm = 0;
+    bool speed_is_whole = false;  ///< S is a whole number: what a variable holds is rounded
     /// A block that cannot be read ends the run; else it is stepped over.
     bool bad_block_stops = false;
     /// A called program that is not found ends the run; else the call is left out.
     bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
     bool needs_feed = false;
+    /// What the control makes of an F that was programmed in another unit (G94, G95) than the one in force; empty: that
+    /// is not known.
+    std::string_view feed_in_other_unit{};
     /// What is not ready for its block ends the run: a tool that the table does not hold, a thread with the spindle at
     /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
     bool refuses_unready = false;

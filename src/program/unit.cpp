@@ -1,5 +1,7 @@
 #include "program/unit.hpp"
 
+#include <algorithm>
+
 #include "base/memory.hpp"
 
 namespace obrys::program {
@@ -20,6 +22,14 @@ NameId Names::id(std::string_view upper) {
 base::Span Unit::span(const Statement& s, const Word& w) const {
     const std::uint32_t from = s.begin + w.offset;
     return {file, from, from + w.length};
+}
+
+std::span<const Remark> Unit::remarks_of(std::uint32_t statement) const {
+    const auto [first, last] =
+        std::equal_range(remarks.begin(), remarks.end(), Remark{statement, {}},
+                         [](const Remark& a, const Remark& b) { return a.statement < b.statement; });
+    return std::span(remarks).subspan(static_cast<std::size_t>(first - remarks.begin()),
+                                      static_cast<std::size_t>(last - first));
 }
 
 void Unit::reserve(std::size_t bytes) {

@@ -74,6 +74,8 @@ static_assert(sizeof(Statement) == 12);
 struct Branch {
     ExprId condition = no_expr;
     std::uint32_t target = no_target;
+    bool has_break = false;        ///< of while_: a break of it stands before its end
+    std::uint32_t same_label = 0;  ///< a number that structures of one label share; 0: no other one has it
 };
 
 struct For {
@@ -89,11 +91,15 @@ enum class JumpDirection : std::uint8_t {
     start,
     again  ///< as `either`; back in a program that nobody called it would repeat that without end (M99 P)
 };
+/// What a jump out of a structure leaves there (Traits::loops_remember).
+enum class Leaves : std::uint8_t { nothing, while_, do_, while_pass, do_pass };
 struct Jump {
     ExprId condition = no_expr;  ///< no_expr: always
     JumpDirection direction = JumpDirection::forward;
     ExprId destination = no_expr;      ///< text (a label or N number) or a string variable; unused for start
     std::uint32_t target = no_target;  ///< the statement, where the reader knows it already
+    Leaves leaves = Leaves::nothing;
+    bool has_break = false;  ///< of a pass that is left: a break of the loop stands between here and its end
 };
 
 struct CaseArm {
@@ -266,6 +272,12 @@ struct Ignored {
     std::uint32_t count = 1;
 };
 
+/// What the programmer has written for people, before the statement before or beside which it stands.
+struct Remark {
+    std::uint32_t statement = 0;
+    std::string text;
+};
+
 /// What spoke for a kind of machine where the reader has taken one from the text (GuessedMachine::mill, lathe).
 struct MachineSigns {
     std::vector<base::Span> lathe, mill;  ///< words of the text
@@ -314,6 +326,7 @@ struct Unit {
     std::vector<Named> named;
     std::vector<Problem> problems;
     std::vector<Ignored> ignored;
+    std::vector<Remark> remarks;  ///< in order of their statements; none where nobody asks for them
     /// Lengths without a decimal point that are read as less than 1 mm (least input increments), in order: places of
     /// the text from the number's begin to its end. And how many lengths have a point.
     std::vector<std::pair<std::uint32_t, std::uint32_t>> small_lengths;
@@ -329,6 +342,8 @@ struct Unit {
     [[nodiscard]] base::Span span(const Statement& s) const { return {file, s.begin, s.begin + s.length}; }
     [[nodiscard]] base::Span span(const Statement& s, const Word& w) const;
     [[nodiscard]] base::Span span(ExprId e) const { return {file, exprs[e].begin, exprs[e].end}; }
+    /// What stands before a statement.
+    [[nodiscard]] std::span<const Remark> remarks_of(std::uint32_t statement) const;
     /// Room for the tree of so many bytes of text, so that it need not be moved while it grows. It is memory of the
     /// machine only where the tree comes to fill it.
     void reserve(std::size_t bytes);

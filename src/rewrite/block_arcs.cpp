@@ -66,9 +66,11 @@ std::string BlockWords::centre_text() {
 
 /// Where its coordinates are no numbers, they are held: what they are computed from may change before the arc.
 void BlockWords::pole() {
-    if (axes_.size() != 2 || axes_[0].letter != 'X' || axes_[1].letter != 'Y' || axes_[0].incremental ||
-        axes_[1].incremental)
-        return w_.refuse(w_.here, "a pole is translated by structure where both its coordinates are given");
+    if (axes_.size() != 2 || axes_[0].letter != 'X' || axes_[1].letter != 'Y' ||
+        axes_[0].incremental != axes_[1].incremental)
+        return w_.refuse(w_.here,
+                         "a pole is translated by structure where both its coordinates are given in X and Y, absolute "
+                         "or both as increments");
     const auto hold = [&](const Text& v, const char* wanted) {
         if (v.number) return v;
         const auto name = w_.naming.keeper(*w_.unit, wanted);
@@ -79,8 +81,24 @@ void BlockWords::pole() {
     };
     const auto number =
         static_cast<std::size_t>(std::find(w_.programs.begin(), w_.programs.end(), w_.unit) - w_.programs.begin());
+    const int place = place_number(number, w_.at);
     const Text u = hold(axes_[0].value, "POLE_X"), v = hold(axes_[1].value, "POLE_Y");
-    w_.poles[place_number(number, w_.at)] = {u, v};
+    (axes_[0].incremental ? w_.pole_increments : w_.poles)[place] = {u, v};
+}
+
+/// A pole that counts on from where the tool stands is the centre of the arc in the next block, whose centre counts
+/// from there as well.
+void BlockWords::take_increments_of_pole() {
+    const int said = about_pole_ ? w_.held()[Mode::pole] : -1;
+    const auto found = w_.pole_increments.find(said);
+    if (said < 0 || found == w_.pole_increments.end()) return;
+    const StatementPlace place = place_of(said);
+    const bool next = w_.programs[place.program] == w_.unit && place.statement + 1 == w_.at &&
+                      !w_.graphs.at(w_.unit).jumped_to.contains(w_.at);
+    if (!next) return;
+    about_pole_ = false;
+    centre_counts_on_ = true;
+    centre_ = {{0, found->second.first}, {1, found->second.second}};
 }
 
 std::optional<std::string> BlockWords::pole_text() {
@@ -89,6 +107,13 @@ std::optional<std::string> BlockWords::pole_text() {
     const bool foreign = said >= 0 && w_.programs[place_of(said).program] != w_.unit;
     if (said < 0 || found == w_.poles.end() ||
         (foreign && !(found->second.first.number && found->second.second.number))) {
+        if (w_.pole_increments.contains(said)) {
+            w_.refuse(w_.here,
+                      "the pole counts on from where the tool stood at its block: it is translated by structure for "
+                      "the arc in the block behind it alone",
+                      "write CC with its coordinates");
+            return std::nullopt;
+        }
         w_.refuse(w_.here,
                   said == several ? "which pole is in force here depends on the way that the run has come"
                                   : "the pole of this arc is not said before it",

@@ -104,7 +104,7 @@ void BlockWords::modal(const program::Word& word) {
                 break;
             machine_ = true;
             return;
-        case Modal::program_stop: m_.push_back(0); return;
+        case Modal::program_stop: m_.push_back(stop_alone); return;
         case Modal::diameter_on:
         case Modal::diameter_off:
         case Modal::metric_geometry:
@@ -113,11 +113,13 @@ void BlockWords::modal(const program::Word& word) {
         case Modal::position_reset:
         case Modal::arc_centre_incremental:
         case Modal::retract_initial: return;
+        case Modal::path_exact: return joining("path.exact");
         case Modal::exact_stop:
+        case Modal::path_stop: return joining("path.exact-stop");
+        case Modal::path_blend: return joining("path.free");
+        case Modal::continuous: return joining(program::modal_number(word) == 64 ? "path.free" : "");
         case Modal::exact_stop_block:
-        case Modal::continuous:
-        case Modal::path_exact:
-        case Modal::path_stop:
+            return w_.tell(word_, w_.source(word_) + ": that the control stops exactly behind this block is left out");
         case Modal::corner_arc:
         case Modal::approach_normal:
             return w_.tell(word_, w_.source(word_) + ": how moves are joined is as the control has it");
@@ -125,6 +127,14 @@ void BlockWords::modal(const program::Word& word) {
     }
     w_.refuse(word_, w_.source(word_) + " is not translated by structure",
               "translate without --keep: its moves are written then");
+}
+
+/// How moves are joined, for a control that says both that and that they are not.
+void BlockWords::joining(std::string_view key) {
+    if (w_.language.has("path.exact") && w_.language.has(key))
+        static_cast<void>(w_.say(key, {}, "how moves are joined"));
+    else
+        w_.tell(word_, w_.source(word_) + ": how moves are joined is as the control has it");
 }
 
 void BlockWords::gather() {

@@ -5,6 +5,8 @@
 
 namespace obrys::rewrite {
 
+inline constexpr int stop_alone = -1;  ///< among M functions: STOP, which leaves the spindle to machine and operator
+
 class BlockWords {
 public:
     explicit BlockWords(Writing& w) : w_(w) {}
@@ -60,6 +62,8 @@ private:
     void pole();
     /// Of the pole in force; nothing after a complaint.
     std::optional<std::string> pole_text();
+    void take_increments_of_pole();
+    void joining(std::string_view key);
     std::string axes_text();
     std::string centre_text();
     [[nodiscard]] std::string source_of_block() const { return w_.source(w_.here); }

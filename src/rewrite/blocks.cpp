@@ -66,6 +66,7 @@ void BlockWords::stop() {
 void BlockWords::function_behind(int m) {
     switch (m) {
         case 0: return stop();
+        case stop_alone: return static_cast<void>(w_.say("flow.stop", {}, "STOP"));
         case 1: return static_cast<void>(w_.say("flow.optional-stop", {}, "M1"));
         case 2:
         case 30: return w_.end_all();
@@ -306,6 +307,7 @@ void BlockWords::write() {
     gather();
     if (frame_) return w_.write_length(), w_.frame_block(*frame_);
     if (is_pole_) return pole();
+    take_increments_of_pole();
     if (dwell_) {
         const auto time = w_.unit->traits->dwell_in_feed_words ? feed_ : dwell_time_;
         if (!time || !axes_.empty())

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/comment.hpp"
 #include "base/number.hpp"
 #include "base/text.hpp"
 #include "base/whole.hpp"
+#include "rewrite/good_name.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -54,10 +56,15 @@ std::string Writing::program_name(const Unit& u) {
     std::string& name = program_names_[&u];
     if (!name.empty()) return name;
     if (!language.numbered_programs) {
-        for (const char c : u.name) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-        if (name.empty() || !base::is_letter(name[0]) || (name.size() > 1 && base::is_digit(name[1])))
-            name = "PGM_" + name;
-        return name;
+        const std::string good = good_name(u.name, Named::program, "PGM_", language);
+        const auto is_taken = [&](const std::string& wanted) {
+            return std::any_of(program_names_.begin(), program_names_.end(), [&](const auto& other) {
+                return other.first != &u && base::equals_ignoring_case(other.second, wanted);
+            });
+        };
+        std::string free = good;
+        for (int n = 2; is_taken(free); ++n) free = with_end(good, "_" + std::to_string(n), Named::program, language);
+        return name = free;
     }
     name = std::to_string(first_called + numbered_++);
     return name;
@@ -104,9 +111,10 @@ bool Writing::takes_numbers(const Unit& called) {
     for (const program::Parameter& p : called.parameters) {
         const bool number = p.type == program::Type::real || p.type == program::Type::integer;
         const bool constant = p.preset == program::no_expr || called.exprs[p.preset].kind == ExprKind::number;
-        if (!p.by_reference && !p.is_array && number && constant) continue;
+        const bool given_back = p.by_reference && p.type == program::Type::real;
+        if ((given_back || !p.by_reference) && !p.is_array && number && constant) continue;
         refuse(here, input.names->text(p.name) + " of " + called.name +
-                         ": of arguments, REAL and INT without VAR and index are translated by structure, with a "
+                         ": of arguments, REAL, VAR REAL and INT without index are translated by structure, with a "
                          "number alone as their preset value");
         return false;
     }
@@ -132,6 +140,11 @@ void Writing::call(const program::Call& c) {
         return refuse(here, source(here) + ": the called program works on this one's own parameters",
                       "call it with G65 and its values");
     if (!takes_numbers(*called)) return;
+    const auto back = given_back(c, *called);
+    if (!back) return;
+    if (!back->empty() && *passes != 1)
+        return refuse(here, "a call of several passes with VAR arguments is not translated by structure",
+                      "write a loop");
     std::string given;
     std::size_t letters = 0;
     std::vector<std::pair<Text, Text>> sets;
@@ -167,6 +180,7 @@ void Writing::call(const program::Call& c) {
     const bool shared = !own && given.empty() && language.has("flow.call-shared");
     const std::string_view key = shared ? "flow.call-shared" : "flow.call";
     repeated(*passes, [&] { say(key, {{"name", program_name(*called)}, {"arguments", given}}, "a call"); });
+    for (const auto& [to, from] : *back) assign(to, from);
 }
 
 void Writing::procedure(const program::ProcedureCall& p) {
@@ -175,7 +189,8 @@ void Writing::procedure(const program::ProcedureCall& p) {
         last_message_ = one_line(*text);
         const bool shown = language.has("flow.message");
         if (!shown) tell(here, "the message is a comment there");
-        static_cast<void>(say(shown ? "flow.message" : "flow.comment", {{"text", one_line(*text)}}, "a message"));
+        const std::string said = shown ? one_line(*text) : base::comment_text(*text, language.comments);
+        static_cast<void>(say(shown ? "flow.message" : "flow.comment", {{"text", said}}, "a message"));
         return;
     }
     if (p.procedure == program::Procedure::abort && !p.arguments.empty())
@@ -225,13 +240,15 @@ void Writing::define(const program::Define& d) {
 void Writing::leave() {
     write_length();
     const bool main = unit == programs.front();
+    if (!main) hand_back();
     if (main && !unit->traits->repeats_program.empty()) {
         if (language.has("flow.begin-anew")) return static_cast<void>(say("flow.begin-anew", {}, "a repetition"));
         return refuse(here, source(here) + ": the program begins anew without end, for which the control has no word",
                       "write M30");
     }
     // What ends a program there says that it goes back.
-    if (!main && at + 1 == unit->statements.size() && language.find("flow.sub-end") != nullptr && end_label_.empty())
+    if (!main && !in_tail_ && at + 1 == unit->statements.size() && language.find("flow.sub-end") != nullptr &&
+        end_label_.empty())
         return;
     if (language.has("flow.return"))
         return static_cast<void>(say("flow.return", {{"name", program_name(*unit)}}, "a return"));
@@ -250,7 +267,11 @@ void Writing::end_all() {
 
 void Writing::begin_program(const Unit& u, bool main) {
     std::string parameters;
-    for (const Argument& a : naming.arguments(u)) parameters += (parameters.empty() ? "" : ", ") + ("REAL " + a.to);
+    for (const Argument& a : naming.arguments(u)) {
+        const bool by_reference = a.index < u.parameters.size() && u.parameters[a.index].by_reference;
+        const std::string reference = by_reference ? language.text_or_none("flow.by-reference") : "";
+        parameters += (parameters.empty() ? "" : ", ") + reference + ("REAL " + a.to);
+    }
     static_cast<void>(say(main ? "flow.main-begin" : "flow.sub-begin",
                           {{"name", program_name(u)}, {"parameters", parameters.empty() ? "" : "(" + parameters + ")"}},
                           "the beginning of a program"));

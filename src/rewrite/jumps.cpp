@@ -14,7 +14,7 @@ void Writing::find_structure() {
     if (!structured_) return;
     const std::vector<Structured::Region>& regions = structured_->regions;
     region_numbers_.resize(regions.size());
-    ends_at_.clear(), begins_at_.clear();
+    ends_at_.clear(), begins_at_.clear(), counting_.clear();
     for (std::size_t r = 0; r < regions.size(); ++r)
         if (!regions[r].own) (regions[r].loop ? begins_at_[regions[r].begin] : ends_at_[regions[r].end]).push_back(r);
 }
@@ -34,8 +34,36 @@ void Writing::borders(std::uint32_t i) {
     std::sort(ends.begin(), ends.end(), [&](std::size_t a, std::size_t b) { return all[a].begin > all[b].begin; });
     std::sort(begins.begin(), begins.end(), [&](std::size_t a, std::size_t b) { return all[a].end > all[b].end; });
     for (const std::size_t r : ends) say("flow.end-if", {{"n", region_number(r)}}, "a branch");
-    for (const std::size_t r : begins)
+    for (const std::size_t r : begins) {
+        if (all[r].counted) begin_counting(r);
         say(all[r].endless || ends_by_break() ? "flow.loop" : "flow.repeat", {{"n", region_number(r)}}, "a loop");
+    }
+}
+
+/// Whether a pass is one of those that are counted, before the first one: none is.
+void Writing::begin_counting(std::size_t region) {
+    const auto active = naming.keeper(*unit, "AGAIN_"), left = naming.keeper(*unit, "PASSES_");
+    if (!active || !left) return refuse(here, "there is no parameter left to count the passes of this loop");
+    const auto place = [](const std::string& name) { return Text{name, Level::atom, std::nullopt}; };
+    counting_.insert_or_assign(region, std::pair(place(*active), place(*left)));
+    assign(place(*active), number_text(0));
+}
+
+/// Some more times; how many is asked once for all of them.
+void Writing::end_counting(const program::LabelCall& c) {
+    const std::size_t region = structured_->jumps.at(at).region;
+    const auto found = counting_.find(region);
+    if (found == counting_.end()) return;
+    const auto [on, rest] = found->second;
+    when(on, Operator::equal, number_text(0), [&, on = on, rest = rest] {
+        assign(rest, value(c.repeats));
+        assign(on, number_text(1));
+    });
+    assign(rest, joined("operators.subtract", rest, number_text(1), Level::sum));
+    const Condition done{.kind = Condition::Kind::comparison, .op = Operator::less, .a = rest, .b = number_text(0)};
+    const auto text = as_text(done);
+    if (!text) return refuse(here, "this condition cannot be said in one expression");
+    break_when(*text, region_number(region));
 }
 
 void Writing::break_when(const std::string& condition, const std::string& loop) {
@@ -53,6 +81,33 @@ void Writing::say_again(const program::Jump& j, const std::string& loop) {
     say("flow.again", {{"condition", *text}, {"n", loop}}, "a loop");
 }
 
+/// What the program ends with there, here.
+void Writing::tail(const program::Jump& j) {
+    const std::uint32_t jump = at, first = structured_->tails_of_jumps.at(at), last = structured_->tails.at(first);
+    const std::string n = std::to_string(++next_number_);
+    const bool always = is_always(*unit, j);
+    if (!always) {
+        const auto text = as_text(condition(j.condition));
+        if (!text) return refuse(here, "this condition cannot be said in one expression");
+        say("flow.if", {{"condition", *text}, {"n", n}}, "a branch");
+    }
+    tell(here, source(here) + ": what the program ends with there is written here");
+    const std::string length = length_waits;
+    const int tool = tool_in_spindle;
+    in_tail_ = true;
+    for (at = first; at <= last; ++at) {
+        here = unit->span(unit->statements[at]);
+        statement(at);
+        naming.release(*unit);
+    }
+    in_tail_ = false;
+    at = jump;
+    here = unit->span(unit->statements[at]);
+    length_waits = length;
+    tool_in_spindle = tool;
+    if (!always) say("flow.end-if", {{"n", n}}, "a branch");
+}
+
 void Writing::structured_jump(const program::Jump& j) {
     const Structured::Jump& jump = structured_->jumps.at(at);
     const auto say_with = [&](std::string_view key, bool negated, const std::string& n) {
@@ -68,6 +123,8 @@ void Writing::structured_jump(const program::Jump& j) {
             return static_cast<void>(say("flow.else", {{"n", region_number(jump.region)}}, "a branch"));
         case JumpRole::end_loop:
             return static_cast<void>(say("flow.end-loop", {{"n", region_number(jump.region)}}, "a loop"));
+        case JumpRole::tail: return tail(j);
+        case JumpRole::repeat: return;
         case JumpRole::leave: break;
     }
     const std::string n = std::to_string(++next_number_);

@@ -35,7 +35,7 @@ constexpr std::array known_tables{
         "jump-not-equal jump-greater jump-less if else end-if while end-while "
         "repeat until again loop end-loop break call argument call-shared return end stop optional-stop alarm message "
         "comment "
-        "repeat-section begin-anew"},
+        "repeat-section begin-anew by-reference"},
     KnownTable{
         "words",
         "rapid linear machine-rapid machine-linear arc-cw arc-ccw arc-radius-cw arc-radius-ccw radius centre no-move "
@@ -120,6 +120,13 @@ void read_switches(Section& s, std::string_view table, Language& l) {
         l.numbered_labels = s.choice("labels", {"names", "numbers"}).value_or(0) == 1;
         l.numbered_programs = s.choice("programs", {"names", "numbers"}).value_or(0) == 1;
         l.end_stops_all = s.boolean("end-stops-all").value_or(true);
+        constexpr int most_characters = 200;
+        const auto longest = [&](std::string_view key) {
+            return static_cast<std::size_t>(s.integer(key, 8, most_characters).value_or(0));
+        };
+        l.longest_label = longest("longest-label"), l.longest_program = longest("longest-program");
+        l.longest_variable = longest("longest-variable");
+        l.kept_names = s.texts("kept-names");
         l.step = static_cast<int>(s.integer("step", 0, 1000).value_or(0));
     } else if (table == "frames") {
         l.frames_together = s.boolean("together").value_or(false);
@@ -135,6 +142,25 @@ std::string lines_of(Section& s, std::string_view key) {
     std::string joined;
     for (const std::string& text : s.texts(key)) joined += (joined.empty() ? "" : "\n") + text;
     return joined;
+}
+
+/// How texts are written; the tables are the post's.
+void read_texts(Section& file, Language& l) {
+    base::Diagnostics of_the_post;
+    if (const shop::Entry* e = file.sub_table("text")) {
+        Section s(e->value, "[text]", of_the_post);
+        l.comments = write::comment_rules(s);
+    }
+    if (const shop::Entry* e = file.sub_table("file")) {
+        Section s(e->value, "[file]", of_the_post);
+        l.encoding = write::encoding_of(s);
+    }
+    if (const shop::Entry* e = file.sub_table("path")) {
+        Section s(e->value, "[path]", of_the_post);
+        for (const std::string_view key : {"exact", "exact-stop", "free"})
+            if (const std::string text = lines_of(s, key); !text.empty() && text.find('{') == std::string::npos)
+                l.texts["path." + std::string(key)] = text;
+    }
 }
 
 void read_table(Section& file, const KnownTable& known, Language& l) {
@@ -193,20 +219,26 @@ std::optional<Language> read_language(std::uint32_t file, const base::Sources& s
     base::Diagnostics own;
     Language l;
     Section section(*root, "the post", own);
+    l.control = section.text("control").value_or("");
     for (const KnownTable& known : known_tables) read_table(section, known, l);
     for (const shop::Value* table : section.tables("cycle-program")) {
         Section s(*table, "[[cycle-program]]", own);
         read_cycle_program(s, l);
     }
     for (const shop::Value* table : section.tables("datum")) read_zeros(*table, l);
+    read_texts(section, l);
     for (const base::Diagnostic& d : own.all()) diagnostics.add(d);
     if (own.has_errors()) return std::nullopt;
-    if (l.has("expressions.assign") && l.has("flow.end")) return l;
+    const bool has_statements = section.boolean("statements").value_or(true);
+    if (has_statements && l.has("expressions.assign") && l.has("flow.end")) return l;
     base::Diagnostic d;
     d.code = codes::job_value;
     d.where = {file, 0, 0};
-    d.text = "this post has no tables [expressions] and [flow]: it cannot keep the structure of a program";
-    d.remedy = "extend a shipped post that has them, or translate without --keep";
+    d.text = has_statements
+                 ? "this post has no tables [expressions] and [flow]: it cannot keep the structure of a program"
+                 : "this post writes no statements: those of the post that it extends are of another language";
+    d.remedy = has_statements ? "extend a shipped post that has them, or translate without --keep"
+                              : "take the post that it extends, or translate without --keep";
     diagnostics.add(std::move(d));
     return std::nullopt;
 }

@@ -3,6 +3,7 @@
 /// [words] of its post, [frames], [system] and [[cycle-program]]. File form: docs/translate.md.
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -10,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/comment.hpp"
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/cycle.hpp"
@@ -59,8 +61,14 @@ struct Language {
     bool subs_first = false;         ///< called programs stand before the main one
     bool numbered_labels = false, numbered_programs = false;
     bool end_stops_all = true;  ///< the end of the program, written in a called one, ends the run
-    int step = 0;               ///< of block numbers; 0: blocks have none
-    std::vector<Zeros> zeros;   ///< as translations by motion write them; none: the control has one
+    std::size_t longest_label = 0, longest_program = 0, longest_variable = 0;  ///< characters; 0: as long as it is
+    std::string control;                                                       ///< that reads it
+    std::function<bool(std::string_view)> is_word;  ///< one of that control's own, in capitals; empty: none is known
+    std::vector<std::string> kept_names;            ///< what names of the control's maker begin with
+    int step = 0;                                   ///< of block numbers; 0: blocks have none
+    std::vector<Zeros> zeros;                       ///< as translations by motion write them; none: the control has one
+    base::CommentRules comments;
+    write::Encoding encoding = write::Encoding::utf8;
     std::vector<Pool> global, local;
     LocalPlace local_place = LocalPlace::program;
     std::uint32_t shift = 0;  ///< of a global parameter's number where it can keep it: R3 is #103
@@ -71,6 +79,7 @@ struct Language {
         const auto found = texts.find(key);
         return found == texts.end() ? nullptr : &found->second;
     }
+    [[nodiscard]] std::string text_or_none(std::string_view key) const { return has(key) ? *find(key) : std::string(); }
     std::map<cl::CycleKind, CycleProgram> cycles;
 
     [[nodiscard]] const CycleProgram* cycle(cl::CycleKind kind) const {

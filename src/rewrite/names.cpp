@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "rewrite/good_name.hpp"
 
 namespace obrys::rewrite {
 
@@ -30,15 +31,6 @@ bool is_own(const Unit& unit, NameId name, const std::string& text) {
     return std::any_of(unit.defines.begin(), unit.defines.end(), [&](const program::Define& d) {
         return !d.global && std::any_of(d.variables.begin(), d.variables.end(), same);
     });
-}
-
-/// Letters, digits and `_` alone, two letters in front.
-std::string plain_name(std::string_view text) {
-    std::string out;
-    for (const char c : text) out += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-    const bool good =
-        out.size() > 1 && (base::is_letter(out[0]) || out[0] == '_') && (base::is_letter(out[1]) || out[1] == '_');
-    return good ? out : "V_" + out;
 }
 
 }  // namespace
@@ -96,8 +88,10 @@ std::optional<std::string> Naming::local(const Unit& unit, const std::string& wa
     locals_.insert(&unit);
     std::set<std::string>& taken = taken_by(unit);
     if (language_.local_place != LocalPlace::name) return take(language_.local, taken, std::nullopt);
-    std::string name = plain_name(wanted);
-    while (!taken.insert(name).second) name += '_';
+    const std::string good = good_name(wanted, Named::variable, "V_", language_);
+    std::string name = good;
+    for (std::string end = "_"; !taken.insert(name).second; end += '_')
+        name = with_end(good, end, Named::variable, language_);
     declared_[&unit].push_back(name);
     const std::string* spelling = language_.find("parameters.own");
     return spelling == nullptr ? name : filled(*spelling, {{"name", name}});
@@ -208,6 +202,8 @@ std::vector<Renamed> Naming::all() const {
         out.push_back({numbered ? program::parameter_name(*traits_, id) : names_.text(id), to,
                        unit != nullptr ? unit->name : ""});
     }
+    // By program, not as their units happen to lie in memory.
+    std::stable_sort(out.begin(), out.end(), [](const Renamed& a, const Renamed& b) { return a.program < b.program; });
     return out;
 }
 

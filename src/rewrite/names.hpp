@@ -36,6 +36,8 @@ public:
     std::optional<std::string> scratch(const program::Unit& unit);
     /// The same for good; `wanted` where it may have a name.
     std::optional<std::string> keeper(const program::Unit& unit, const std::string& wanted);
+    /// A parameter that all programs have in common, for good.
+    std::optional<std::string> in_common() { return take(language_.global, taken_, std::nullopt); }
     void release(const program::Unit& unit) { used_[&unit] = 0; }
 
     /// What the program takes, in order.

@@ -56,7 +56,8 @@ bool Writing::repeats_label(std::uint32_t statement) const {
     const Graph& graph = graphs.at(unit);
     for (std::uint32_t i = c.target; i < statement; ++i)
         for (const std::uint32_t to : graph.next[i])
-            if ((to < c.target || to > statement) && unit->statements[i].kind != StatementKind::label_call)
+            if ((to < c.target || to > statement) && unit->statements[i].kind != StatementKind::label_call &&
+                unit->statements[i].kind != StatementKind::label_end)  // which nothing has called here
                 return false;
     return language.has("flow.jump");
 }
@@ -96,6 +97,7 @@ void Writing::begin_repeats(std::size_t top) {
 }
 
 void Writing::label_call(const program::LabelCall& c, std::uint32_t statement) {
+    if (structured_ && structured_->jumps.contains(statement)) return end_counting(c);
     if (repeats_label(statement)) {
         if (!language.has("flow.repeat-section")) return repeat_label(c);
         const Text passes = value(c.repeats);

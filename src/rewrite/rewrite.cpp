@@ -2,9 +2,11 @@
 
 #include <algorithm>
 
+#include "base/comment.hpp"
 #include "base/text.hpp"
 #include "rewrite/frames.hpp"
 #include "rewrite/writing.hpp"
+#include "write/layout.hpp"
 
 namespace obrys::rewrite {
 
@@ -32,10 +34,8 @@ bool Writing::say(std::string_view key, const Places& places, std::string_view w
 
 void Writing::refuse(const base::Span& where, std::string what, std::string remedy) {
     const std::string* comment = language.find("flow.comment");
-    std::string said = "NOT TRANSLATED: " + what;
-    for (char& c : said)
-        if (c == '(' || c == ')' || c == '\n') c = ' ';
-    if (comment != nullptr) say(filled(*comment, {{"text", said}}));
+    if (comment != nullptr)
+        say(filled(*comment, {{"text", base::comment_text("NOT TRANSLATED: " + what, language.comments)}}));
     notes.push_back({Fate::lost, where, std::move(what), std::move(remedy), lines.size()});
 }
 
@@ -55,7 +55,8 @@ Rewritten Writing::finished(const std::string& name) {
     Rewritten out;
     const auto add = [&](const Line& line, std::size_t& number) {
         const bool plain = line.text[0] == '%' || language.step == 0;
-        out.text += plain ? line.text : std::to_string(number) + " " + line.text;
+        const std::string text = write::encoded(line.text, language.encoding);
+        out.text += plain ? text : std::to_string(number) + " " + text;
         out.text += '\n';
         if (!plain) number += static_cast<std::size_t>(language.step);
         out.lines.emplace_back(out.lines.size() + 1, line.from);
@@ -134,6 +135,7 @@ Rewritten Writing::run(const std::string& name) {
         if (language.subs_first) parts_first(first, middle);
     }
     say_behind();
+    tell_missing_remarks();
     return finished(name);
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/text.hpp"
+#include "rewrite/good_name.hpp"
 #include "rewrite/writing.hpp"
 
 namespace obrys::rewrite {
@@ -87,6 +88,7 @@ void Writing::range(std::uint32_t first, std::uint32_t end, bool only_inline) {
     for (std::uint32_t i = first; i < end; ++i) {
         const bool elsewhere = only_inline && !inline_.contains(i);
         if (!elsewhere) borders(i);
+        if (structured_ && structured_->only_jumped_to.contains(i)) continue;
         if (elsewhere && !is_structure(u.statements[i].kind)) continue;
         at = i;
         here = u.span(u.statements[i]);
@@ -142,11 +144,12 @@ std::string Writing::label_of(std::uint32_t statement) {
     if (!settled.empty()) return settled;
     const auto own = labels_.find(statement);
     if (language.numbered_labels || own == labels_.end()) return settled = fresh_label();
-    std::string name;  // the program's own, made good
-    for (const char c : own->second) name += base::is_letter(c) || base::is_digit(c) ? base::upper(c) : '_';
-    const bool word = name.size() > 1 && !base::is_digit(name[0]) && !base::is_digit(name[1]);
-    if (!word) name = "LBL_" + name;
-    while (!all_labels_.insert(name).second) name += "_" + program_name(*unit);
+    std::string good = good_name(own->second, Named::label, "LBL_", language), name = good;
+    if (all_labels_.contains(name)) name = with_end(good, "_" + program_name(*unit), Named::label, language);
+    for (int n = 2; !all_labels_.insert(name).second; ++n)
+        name = with_end(good, "_" + std::to_string(n), Named::label, language);
+    if (!base::is_digit(own->second[0]) && !base::equals_ignoring_case(name, own->second))
+        tell(here, "label " + own->second + " is called " + name);
     return settled = name;
 }
 
@@ -178,6 +181,7 @@ void Writing::jump(const std::string& label) {
 
 void Writing::statement(std::uint32_t i) {
     const program::Statement& s = unit->statements[i];
+    remarks(i);
     if ((s.flags & program::skip_mask) != 0)
         return refuse(here, "a block that can be skipped (/) is not translated by structure",
                       "use IF with a parameter of its own");

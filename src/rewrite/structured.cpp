@@ -30,7 +30,7 @@ namespace {
 
 struct Found {
     std::uint32_t at = 0, to = 0;
-    bool always = false;
+    bool always = false, repeats = false;
 };
 
 bool opens(StatementKind k) {
@@ -50,7 +50,7 @@ std::optional<std::vector<Region>> own_structures(const Unit& unit) {
         const StatementKind k = unit.statements[i].kind;
         if (opens(k)) {
             open.push_back(out.size());
-            out.push_back({i, i, k != StatementKind::if_, false, i, std::nullopt, true});
+            out.push_back({i, i, k != StatementKind::if_, false, i, std::nullopt, false, true});
         } else if (open.empty() && (closes(k) || k == StatementKind::else_)) {
             return std::nullopt;
         } else if (k == StatementKind::else_) {
@@ -72,13 +72,52 @@ std::optional<std::vector<Found>> jumps_of(const Unit& unit, const std::vector<H
         if (held[i][Mode::plane] == never_there) continue;
         const bool repeats =
             kind == StatementKind::label_call && unit.label_calls[entry_of(unit, i)].repeats != program::no_expr;
-        if (repeats || kind == StatementKind::case_ || kind == StatementKind::repeat_section) return std::nullopt;
+        if (repeats) {
+            const std::uint32_t to = unit.label_calls[entry_of(unit, i)].target;
+            if (to == program::no_target || to >= i) return std::nullopt;
+            out.push_back({i, to, false, true});
+        }
+        if (kind == StatementKind::case_ || kind == StatementKind::repeat_section) return std::nullopt;
         if (kind != StatementKind::jump) continue;
         const program::Jump& jump = unit.jumps[entry_of(unit, i)];
         const auto to = destination(unit, i, jump, names, sources);
         if (!to) return std::nullopt;
         out.push_back({i, *to, is_always(unit, jump)});
     }
+    return out;
+}
+
+/// The last of a few statements from `first` on that end the program, whatever holds; nothing where they do not.
+std::optional<std::uint32_t> tail_from(const Unit& unit, std::uint32_t first) {
+    constexpr std::uint32_t most = 12;
+    for (std::uint32_t i = first; i < unit.statements.size() && i < first + most; ++i) {
+        const StatementKind kind = unit.statements[i].kind;
+        if (kind == StatementKind::return_) return entry_of(unit, i) == 0 ? std::optional(i) : std::nullopt;
+        if (kind != StatementKind::block && kind != StatementKind::procedure) return std::nullopt;
+        if (kind == StatementKind::block && ends_of(unit, i) != Ends::no) return i;
+    }
+    return std::nullopt;
+}
+
+/// Nothing is done behind it.
+bool ends_way(const Unit& unit, std::uint32_t i) {
+    return unit.statements[i].kind == StatementKind::return_ ||
+           (unit.statements[i].kind == StatementKind::block && ends_of(unit, i) != Ends::no);
+}
+
+/// Takes the jumps to the program's ends out of the list.
+Structured take_tails(const Unit& unit, std::vector<Found>& jumps) {
+    Structured out;
+    for (const Found& j : jumps)
+        if (const auto last = j.repeats ? std::nullopt : tail_from(unit, j.to)) {
+            out.tails[j.to] = *last;
+            out.tails_of_jumps[j.at] = j.to;
+            out.jumps[j.at] = {JumpRole::tail, 0};
+        }
+    std::erase_if(jumps, [&](const Found& j) { return out.jumps.contains(j.at); });
+    for (const auto& [first, last] : out.tails)
+        if (first > 0 && ends_way(unit, first - 1))
+            for (std::uint32_t i = first; i <= last; ++i) out.only_jumped_to.insert(i);
     return out;
 }
 
@@ -101,8 +140,9 @@ public:
 
 private:
     void loop(const Found& j) {
-        out_.jumps[j.at] = {j.always ? JumpRole::end_loop : JumpRole::again, out_.regions.size()};
-        out_.regions.push_back({j.to, j.at + 1, true, j.always, j.at});
+        const JumpRole role = j.repeats ? JumpRole::repeat : j.always ? JumpRole::end_loop : JumpRole::again;
+        out_.jumps[j.at] = {role, out_.regions.size()};
+        out_.regions.push_back({j.to, j.at + 1, true, j.always || j.repeats, j.at, std::nullopt, j.repeats});
     }
     void branch(const Found& j) {
         out_.jumps[j.at] = {JumpRole::branch, out_.regions.size()};
@@ -162,7 +202,16 @@ std::optional<Structured> structured(const Unit& unit, const std::vector<Held>& 
     if (!jumps || jumps->size() > most) return std::nullopt;
     auto own = own_structures(unit);
     if (!own || (own->size() > 0 && (jumps->empty() || own->size() + jumps->size() > most))) return std::nullopt;
-    return Structuring(std::move(*own)).run(*jumps);
+    if (auto whole = Structuring(*own).run(*jumps)) return whole;
+    std::vector<Found> others = *jumps;
+    Structured tails = take_tails(unit, others);
+    auto out = tails.jumps.empty() ? std::nullopt : Structuring(std::move(*own)).run(others);
+    if (!out) return std::nullopt;
+    out->jumps.merge(tails.jumps);
+    out->tails = std::move(tails.tails);
+    out->tails_of_jumps = std::move(tails.tails_of_jumps);
+    out->only_jumped_to = std::move(tails.only_jumped_to);
+    return out;
 }
 
 }  // namespace obrys::rewrite

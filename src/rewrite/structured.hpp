@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <vector>
 
 #include "base/source.hpp"
@@ -21,6 +22,8 @@ enum class JumpRole : std::uint8_t {
     again,     ///< the end of a loop that goes on while its condition holds
     end_loop,  ///< the end of a loop without one
     leave,     ///< out of the innermost loop
+    repeat,    ///< the end of a part that is done some more times (CALL LBL REP)
+    tail,      ///< to a few statements with which the program ends: they are done where it stands
 };
 
 struct Structured {
@@ -29,6 +32,7 @@ struct Structured {
         bool loop = false, endless = false;    ///< else a branch
         std::uint32_t jump = 0;                ///< that makes it
         std::optional<std::uint32_t> other{};  ///< the jump that is its ELSE
+        bool counted = false;                  ///< a loop that ends behind so many passes
         bool own = false;                      ///< of the program, which says its begin and end itself
     };
     struct Jump {
@@ -36,7 +40,10 @@ struct Structured {
         std::size_t region = 0;
     };
     std::vector<Region> regions;
-    std::map<std::uint32_t, Jump> jumps;  ///< by their statements
+    std::map<std::uint32_t, Jump> jumps;                    ///< by their statements
+    std::map<std::uint32_t, std::uint32_t> tails;           ///< their first and last statements
+    std::map<std::uint32_t, std::uint32_t> tails_of_jumps;  ///< first statements, by the jumps
+    std::set<std::uint32_t> only_jumped_to;                 ///< statements of tails to which nothing else leads
 };
 
 /// Nothing where the program's jumps make no loops and branches that lie within each other, or are computed.

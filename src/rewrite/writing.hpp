@@ -149,6 +149,12 @@ public:
     // system.cpp
     Text system(const Expr& e, ExprId id);
 
+    // remarks.cpp
+    /// What is said before a statement, once.
+    void remarks(std::uint32_t statement);
+    /// Those of statements that are not written as statements.
+    void tell_missing_remarks();
+
     // blocks.cpp
     void block(std::uint32_t statement);
 
@@ -177,11 +183,14 @@ public:
     std::vector<Line> lines;
     std::vector<Note> notes;
     std::map<int, std::pair<Text, Text>> poles;  ///< by their places
-    std::optional<Text> prepared_edge;           ///< said last, and not changed to yet
-    int tool_in_spindle = 0;                     ///< 0: none, or that depends on the way
-    std::string length_waits;                    ///< its words, for the next straight move along Z
+    std::map<int, std::pair<Text, Text>>
+        pole_increments;                ///< the same of those that count on from where the tool stands
+    std::optional<Text> prepared_edge;  ///< said last, and not changed to yet
+    int tool_in_spindle = 0;            ///< 0: none, or that depends on the way
+    std::string length_waits;           ///< its words, for the next straight move along Z
 
 private:
+    void remark(const std::string& text);
     const Unit* callee(const Unit& caller, const program::Call& c) const;
     bool collect(const Unit& unit, std::vector<const Unit*>& open);
     /// Statements [first, end).
@@ -195,6 +204,13 @@ private:
     [[nodiscard]] bool means_more(std::uint32_t number) const;
     /// What a call does not hand over as it is: VAR, arrays, types but numbers. Refuses it.
     bool takes_numbers(const Unit& called);
+    // references.cpp
+    /// Where the called program leaves what argument `a` has become.
+    std::optional<std::string> place_of_reference(const Unit& called, const Argument& a);
+    /// What goes where behind the call; nothing after a complaint.
+    std::optional<std::vector<std::pair<Text, Text>>> given_back(const program::Call& c, const Unit& called);
+    /// Before the program goes back.
+    void hand_back();
     Text given_value(const Unit& called, std::size_t n, ExprId id);
     /// Argument n is set by the program before it reads it.
     [[nodiscard]] bool is_set_first(const Unit& unit, std::uint32_t n) const;
@@ -208,6 +224,9 @@ private:
     std::string region_number(std::size_t region);
     void borders(std::uint32_t i);
     void structured_jump(const program::Jump& j);
+    void tail(const program::Jump& j);
+    void begin_counting(std::size_t region);
+    void end_counting(const program::LabelCall& c);
     /// The end of a loop that goes on while the jump's condition holds.
     void say_again(const program::Jump& j, const std::string& loop);
     void jump_statement(const program::Jump& j);
@@ -271,7 +290,11 @@ private:
     std::map<std::uint32_t, std::vector<std::size_t>> ends_at_, begins_at_;  ///< of branches and loops among them
     std::vector<std::string> region_numbers_;                                ///< of their regions
     bool jumps_refused_ = false;
+    std::map<std::size_t, std::pair<Text, Text>> counting_;  ///< what counts the passes of regions, and whether it does
+    bool in_tail_ = false;                                   ///< statements are written where a jump to them stands
     std::string last_message_;
+    std::map<std::pair<const Unit*, std::size_t>, std::optional<std::string>> references_;  ///< by program and argument
+    std::set<std::pair<const Unit*, std::uint32_t>> remarked_;  ///< statements whose remarks are written
 };
 
 /// The same turned round: less for greater or equal.

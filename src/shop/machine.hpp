@@ -20,19 +20,34 @@ inline constexpr std::uint32_t first_preset = 1000;
 enum class MachineKind : std::uint8_t { lathe, mill };
 
 struct MachineAxis {
-    std::string name;                ///< as programmed: "X", "Z", "C2"
-    bool rotary = false;             ///< values below in degrees instead of mm
-    std::optional<double> min, max;  ///< travel in machine coordinates; a lathe's X as a radius
-    double rapid = 10'000;           ///< mm/min or degrees/min
-    std::optional<double> home;      ///< machine coordinate of the reference point (G74) and of the start, if known
+    std::string name;                          ///< as programmed: "X", "Z", "C2"
+    bool rotary = false;                       ///< values below in degrees instead of mm
+    std::optional<double> min, max;            ///< travel in machine coordinates; a lathe's X as a radius
+    double rapid = 10'000;                     ///< mm/min or degrees/min
+    std::optional<double> acceleration, jerk;  ///< mm/s2, mm/s3 or degrees; nothing: as the path's (MachineMotion)
+    std::optional<double> home;  ///< machine coordinate of the reference point (G74) and of the start, if known
     /// Unit vector. Where its value grows, what stands behind the axis towards the tool moves that way, or turns
     /// counter-clockwise about it, as seen from the workpiece side: so too where really the table moves the other way.
     geom::Vec3 direction;
     geom::Vec3 centre;  ///< of a rotary axis: a point of its line, machine coordinates with all axes at 0
 };
 
-/// How axes that start a rapid move together end it: all at once, or each at its own rapid, so that the path bends.
-enum class RapidPath : std::uint8_t { straight, dog_leg };
+/// How axes that start a rapid move together end it: all at once, or each at its own rapid, so that the path bends;
+/// `either`: a setting that is not known decides.
+enum class RapidPath : std::uint8_t { straight, dog_leg, either };
+
+/// How a control goes through the places where a path turns.
+enum class CornerPassing : std::uint8_t { exact_stop, filter, blend };
+
+/// How a control moves, for how long that takes. Nothing: the file does not say it.
+struct MachineMotion {
+    std::optional<double> acceleration, jerk;  ///< along the path, mm/s2, mm/s3
+    std::optional<double> tolerance;           ///< mm that corners are rounded by where a program says nothing
+    std::optional<double> block_time;          ///< s for a block
+    std::optional<double> look_ahead;          ///< blocks; 0: without end
+    std::optional<double> spindle_time;        ///< s for 1000 1/min more or less
+    std::optional<CornerPassing> corner;
+};
 
 struct MachineSpindle {
     double min = 0, max = std::numeric_limits<double>::infinity();  ///< 1/min; infinite: not limited
@@ -52,6 +67,7 @@ struct ControlDefaults {
 struct ControlSettings {
     std::optional<char> g_code_system;        ///< of FANUC lathes: 'A', 'B', 'C'
     std::optional<bool> whole_numbers_count;  ///< lengths without a point count increments; false: mm, inches, degrees
+    std::optional<double> increments_per_mm;  ///< coordinates count in so many (IS-B: 1000, IS-C: 10000)
     std::optional<bool> angles_from_zero;  ///< ATAN is 0 … 360 degrees, ASIN 270 … 90; false: -180 … 180, -90 … 90
 };
 
@@ -62,9 +78,10 @@ struct Machine {
     /// Axes that move workpiece and tool against each other, as indices, from the workpiece to the tool:
     /// shop/kinematics.hpp.
     std::vector<std::size_t> chain;
-    RapidPath rapid_path = RapidPath::straight;
-    bool more_axes = false;  ///< axes it does not list are taken for granted (the machine was not named)
+    std::optional<RapidPath> rapid_path;  ///< not said: as the control does it
+    bool more_axes = false;               ///< axes it does not list are taken for granted (the machine was not named)
     MachineSpindle spindle;
+    MachineMotion motion;
     double max_feed = 0, min_feed = 0;                   ///< mm/min; 0 = not limited
     double tool_change_time = 0;                         ///< s
     std::optional<bool> tool_change_stops_spindle;       ///< not said: as the control does it, else mills do

@@ -36,6 +36,8 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::feed_per_minute, "feed", "per-minute", "feed.per-minute"},
     {Command::feed_per_rev, "feed", "per-rev", "feed.per-rev"},
     {Command::feed_inverse_time, "feed", "inverse-time", "feed.inverse-time"},
+    {Command::feed_mode_per_minute, "feed", "mode-per-minute", "feed.mode-per-minute"},
+    {Command::feed_mode_per_rev, "feed", "mode-per-rev", "feed.mode-per-rev"},
     {Command::feed_rapid, "feed", "rapid", "feed.rapid"},
     {Command::feed_surface_per_minute, "feed", "surface-per-minute", "feed.surface-per-minute"},
     {Command::feed_surface_per_rev, "feed", "surface-per-rev", "feed.surface-per-rev"},

@@ -37,6 +37,8 @@ enum class Command : std::uint8_t {
     feed_per_minute,
     feed_per_rev,
     feed_inverse_time,
+    feed_mode_per_minute,  ///< in a block of its own before the first move that has it
+    feed_mode_per_rev,
     feed_rapid,               ///< of arcs
     feed_surface_per_minute,  ///< while the cutting speed is constant, where that is said in one word with the feed
     feed_surface_per_rev,

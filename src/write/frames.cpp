@@ -89,6 +89,21 @@ void set_turns(const std::array<double, 9>& m, Values& values) {
     if (std::abs(y) < frame_noise && std::abs(z) < frame_noise) values.set(Value::angle, geom::degrees(x));
 }
 
+/// Turns about z, then x, then z, each as the ones before have left it: m = Z1 * X2 * Z3, X2 from 0 to half a turn.
+void set_euler(const std::array<double, 9>& m, Values& values) {
+    const double across = std::hypot(m[2], m[5]);
+    double z1 = 0, z3 = 0;
+    if (across > frame_noise) {
+        z1 = std::atan2(m[2], -m[5]);
+        z3 = std::atan2(m[6], m[7]);
+    } else {
+        z3 = std::atan2(m[8] > 0 ? m[3] : -m[3], m[0]);
+    }
+    values.set(Value::euler_1, geom::degrees(z1));
+    values.set(Value::euler_2, geom::degrees(std::atan2(across, m[8])));
+    values.set(Value::euler_3, geom::degrees(z3));
+}
+
 /// The place that stays where it is, of a turn or of factors about it; 0 along axes in which all places stay. Nothing
 /// where the frame shifts such an axis.
 std::optional<geom::Vec3> centre_of(const geom::Frame& f) {
@@ -123,7 +138,9 @@ bool frame_values(const cl::FramePart& part, Values& values) {
     if (part.turn.side != 0) values.set(Value::side, part.turn.side);
     values.set(Value::turn_side, part.turn.side != 0 ? part.turn.side : 1);
     if (part.turn.table_turns) values.set(Value::table_turns, 1);
-    if (!is_identity(pieces->turn)) set_turns(pieces->turn, values);
+    const bool is_plane = part.kind == cl::FrameKind::plane;
+    if (is_plane || !is_identity(pieces->turn)) set_turns(pieces->turn, values);
+    if (is_plane) set_euler(pieces->turn, values);
     constexpr std::array factors{Value::factor_x, Value::factor_y, Value::factor_z};
     constexpr std::array mirrors{Value::mirror_x, Value::mirror_y, Value::mirror_z};
     for (std::size_t c = 0; c < 3; ++c) {
@@ -200,6 +217,28 @@ std::vector<cl::FramePart> sayable(const std::vector<cl::FramePart>& parts, cons
     return out;
 }
 
+/// One plane in the place of it and of all that stands around it; nothing where they come to more than a place and a
+/// turn.
+std::optional<std::vector<cl::FramePart>> as_one_plane(const std::vector<cl::FramePart>& parts, const Post& post) {
+    const auto plane =
+        std::find_if(parts.begin(), parts.end(), [](const auto& p) { return p.kind == cl::FrameKind::plane; });
+    if (plane == parts.end()) return parts;
+    const std::size_t first = comes_with_zero(parts.front(), post) ? 1 : 0;
+    cl::FramePart whole{cl::FrameKind::plane, {}, plane->turn};
+    for (std::size_t i = first; i < parts.size(); ++i) whole.frame = whole.frame * parts[i].frame;
+    const auto pieces = pieces_of(whole.frame.linear);
+    const bool rigid = pieces && std::all_of(pieces->factor.begin(), pieces->factor.end(),
+                                             [](double f) { return std::abs(f - 1) <= frame_noise; });
+    if (!rigid) return std::nullopt;
+    std::vector<cl::FramePart> out(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(first));
+    out.push_back(whole);
+    return out;
+}
+
+bool has_plane(const std::vector<cl::FramePart>& parts) {
+    return std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.kind == cl::FrameKind::plane; });
+}
+
 /// A control has one word for each kind.
 bool has_twice(const std::vector<cl::FramePart>& parts, cl::FrameKind kind) {
     return std::count_if(parts.begin(), parts.end(), [&](const cl::FramePart& p) { return p.kind == kind; }) > 1;
@@ -208,10 +247,18 @@ bool has_twice(const std::vector<cl::FramePart>& parts, cl::FrameKind kind) {
 }  // namespace
 
 std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& frame, const Post& post) {
+    auto steps = post.plane_anew ? std::nullopt : lead_to_parts(frame, frame.parts, post);
+    if (steps || !(post.plane_is_whole || post.plane_anew)) return steps;
+    const auto joined = as_one_plane(frame.parts, post);
+    return joined ? lead_to_parts(frame, *joined, post) : std::nullopt;
+}
+
+std::optional<std::vector<FrameStep>> Frames::lead_to_parts(const cl::Frame& frame,
+                                                            const std::vector<cl::FramePart>& parts, const Post& post) {
     Values values;
     geom::Frame all;
-    cl::Frame wanted{sayable(frame.parts, post)};
-    if (wanted.parts.size() != frame.parts.size() && has_twice(wanted.parts, cl::FrameKind::shift)) return std::nullopt;
+    cl::Frame wanted{sayable(parts, post)};
+    if (wanted.parts.size() != parts.size() && has_twice(wanted.parts, cl::FrameKind::shift)) return std::nullopt;
     for (const cl::FramePart& p : wanted.parts) {
         all = all * p.frame;
         const auto commands = commands_of(p.kind);
@@ -224,8 +271,10 @@ std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& frame, co
     while (common < parts_.size() && common < wanted.parts.size() && parts_[common] == wanted.parts[common]) ++common;
     // Setting a part anew takes the place of the last one of its kind; where the kinds are others, or stand in another
     // order, all go first.
-    const bool in_place = std::equal(parts_.begin(), parts_.end(), wanted.parts.begin(), wanted.parts.end(),
-                                     [](const cl::FramePart& a, const cl::FramePart& b) { return a.kind == b.kind; });
+    const bool ends_first = post.plane_anew && has_plane(parts_) && common < wanted.parts.size();
+    const bool in_place =
+        !ends_first && std::equal(parts_.begin(), parts_.end(), wanted.parts.begin(), wanted.parts.end(),
+                                  [](const cl::FramePart& a, const cl::FramePart& b) { return a.kind == b.kind; });
     std::vector<FrameStep> steps;
     for (std::size_t i = parts_.size(); i-- > common && !in_place;)
         if (const auto c = commands_of(parts_[i].kind)) steps.push_back({c->reset, {}});

@@ -34,6 +34,10 @@ public:
 
 private:
     void take(std::vector<cl::FramePart> parts);
+    /// `frame` as these parts.
+    [[nodiscard]] std::optional<std::vector<FrameStep>> lead_to_parts(const cl::Frame& frame,
+                                                                      const std::vector<cl::FramePart>& parts,
+                                                                      const Post& post);
 
     std::vector<cl::FramePart> wanted_;
     std::vector<cl::FramePart> parts_;  ///< as they are written

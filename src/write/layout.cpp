@@ -1,6 +1,7 @@
 #include "write/layout.hpp"
 
 #include <algorithm>
+#include <cstring>
 
 #include "base/number.hpp"
 #include "base/text.hpp"
@@ -15,12 +16,15 @@ constexpr std::size_t most_seen = 8;              ///< texts that are looked bac
 constexpr std::ptrdiff_t most_forms = 16;         ///< subprograms that one part may come to
 constexpr std::size_t longest_name = 20;          ///< characters that every control takes
 
-std::string encoded(std::string text, Encoding encoding) {
-    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
-    if (encoding == Encoding::utf8 || std::none_of(text.begin(), text.end(), beyond)) return text;
-    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
-    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
-    return text;
+bool is_ascii(std::string_view s) {
+    std::size_t i = 0;
+    std::uint64_t any = 0, eight = 0;
+    for (; i + sizeof eight <= s.size(); i += sizeof eight) {
+        std::memcpy(&eight, s.data() + i, sizeof eight);
+        any |= eight;
+    }
+    for (; i < s.size(); ++i) any |= static_cast<unsigned char>(s[i]);
+    return (any & 0x8080808080808080u) == 0;
 }
 
 bool is_same(const Note& a, const Note& b) { return a.fate == b.fate && a.from == b.from && a.what == b.what; }
@@ -44,6 +48,14 @@ void shift_into(std::vector<Note>& to, const std::vector<Note>& notes, std::uint
 
 }  // namespace
 
+std::string encoded(std::string text, Encoding encoding) {
+    const auto beyond = [](char c) { return static_cast<unsigned char>(c) > 0x7F; };
+    if (encoding == Encoding::utf8 || std::none_of(text.begin(), text.end(), beyond)) return text;
+    text = base::utf8_to_cp1252(base::as_utf8(text), '?');
+    if (encoding == Encoding::ascii) std::replace_if(text.begin(), text.end(), beyond, '?');
+    return text;
+}
+
 Layout::Layout(const Post& post, const std::string& name, Output output) : post_(post), output_(std::move(output)) {
     if (output_.file && post_.own_file)
         form_ = &*post_.own_file;
@@ -54,31 +66,38 @@ Layout::Layout(const Post& post, const std::string& name, Output output) : post_
 
 bool Layout::append_number(std::string& line, const Lines& lines) const {
     const double number = post_.numbers->first + post_.numbers->step * static_cast<double>(lines.numbered);
-    std::string all;
+    const std::size_t begin = line.size();
     for (const Token& t : post_.numbers->text) {
-        all += t.before;
-        if (t.kind == Token::Kind::word && !write::append_number(all, number, post_.styles[t.style])) return false;
-        all += t.after + ' ';
+        line += t.before;
+        if (t.kind == Token::Kind::word && !write::append_number(line, number, post_.styles[t.style]))
+            return line.resize(begin), false;
+        line += t.after;
+        line += ' ';
     }
-    line += all;
     return true;
 }
 
-std::string Layout::line_of(std::string_view block, Lines& lines) const {
-    std::string line;
+void Layout::append_line(std::string& to, std::string_view block, Lines& lines) const {
+    const std::size_t begin = to.size();
     const auto begins = [&](const std::string& word) { return block.starts_with(word); };
     if (post_.numbers && std::none_of(post_.numbers->skip.begin(), post_.numbers->skip.end(), begins)) {
         // Numbers that the control's word cannot hold begin anew.
-        if (!append_number(line, lines)) lines.numbered = 0, static_cast<void>(append_number(line, lines));
+        if (!append_number(to, lines)) lines.numbered = 0, static_cast<void>(append_number(to, lines));
         ++lines.numbered;
     }
-    line += block;
-    line += post_.block_end;
+    to += block;
+    to += post_.block_end;
     ++lines.lines;
-    return encoded(std::move(line), post_.encoding) + post_.line_end;
+    if (post_.encoding != Encoding::utf8 && !is_ascii(std::string_view(to).substr(begin)))
+        to.replace(begin, std::string::npos, encoded(to.substr(begin), post_.encoding));
+    to += post_.line_end;
 }
 
-void Layout::put(std::string_view block) { output_.text(line_of(block, lines_)); }
+void Layout::put(std::string_view block) {
+    line_.clear();
+    append_line(line_, block, lines_);
+    output_.text(line_);
+}
 
 Layout::Level* Layout::top() { return levels_.empty() || levels_.back().spilled ? nullptr : &levels_.back(); }
 
@@ -251,7 +270,7 @@ void Layout::put_file(Subprogram& s) {
     const Piece piece = whole(s);
     Lines lines;
     std::string text;
-    for (const std::string& block : piece.blocks) text += line_of(block, lines);
+    for (const std::string& block : piece.blocks) append_line(text, block, lines);
     for (Note n : piece.notes) {
         if (n.file.empty()) n.file = s.file;
         output_.note(std::move(n));

@@ -29,6 +29,9 @@ struct Output {
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
 };
 
+/// A text in UTF-8 as the control has it; ? for what it does not have.
+[[nodiscard]] std::string encoded(std::string text, Encoding encoding);
+
 class Layout {
 public:
     /// `name` of the program. `post` outlives this.
@@ -102,13 +105,15 @@ private:
     [[nodiscard]] Piece whole(const Subprogram& s) const;
     void put_file(Subprogram& s);
     void put(std::string_view block);
-    [[nodiscard]] std::string line_of(std::string_view block, Lines& lines) const;
+    /// Appends the block as it stands in its file.
+    void append_line(std::string& to, std::string_view block, Lines& lines) const;
     [[nodiscard]] bool append_number(std::string& line, const Lines& lines) const;
 
     const Post& post_;
     Output output_;
     const SubprogramForm* form_ = nullptr;
     Lines lines_;
+    std::string line_;             ///< room for the one that is put
     std::optional<Call> waiting_;  ///< of the program's own text
     std::vector<Level> levels_;
     std::vector<Subprogram> subprograms_;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/whole.hpp"
+
 namespace obrys::write {
 
 namespace {
@@ -30,6 +32,14 @@ double half_step(const Post& post, std::string_view style) {
         if (names[i] == style)
             return 0.5 * std::pow(10.0, -post.styles[i].decimals) / std::max(std::abs(post.styles[i].factor), 1e-9);
     return 0;
+}
+
+double least_arc(const Post& post) { return post.increment > 0 ? post.increment : post.least_arc; }
+
+void count_in(Post& post, double increment) {
+    post.increment = increment;
+    for (NumberStyle& style : post.styles)
+        if (style.of_increments) style.decimals = base::clipped(std::round(-std::log10(increment)), 0, 9);
 }
 
 }  // namespace obrys::write

@@ -29,15 +29,19 @@ bool append_number(std::string& out, double value, const NumberStyle& style) {
     if (style.plus && !(written < 0)) out += '+';
     base::append_fixed(out, written, style.decimals);
     if (style.decimals > 0) {
-        for (int left = style.decimals; left > style.least && out.back() == '0'; --left) out.pop_back();
-        if (out.back() == '.' && !style.point) out.pop_back();
+        std::size_t size = out.size();
+        for (int left = style.decimals; left > style.least && out[size - 1] == '0'; --left) --size;
+        if (out[size - 1] == '.' && !style.point) --size;
+        out.resize(size);
     } else if (style.point) {
         out += '.';
     }
-    const std::size_t first = begin + (out[begin] == '-' || out[begin] == '+' ? 1 : 0);
-    const std::size_t end = std::min(out.find('.', first), out.size());
-    if (static_cast<std::size_t>(style.digits) > end - first)
-        out.insert(first, static_cast<std::size_t>(style.digits) - (end - first), '0');
+    if (style.digits > 1) {
+        const std::size_t first = begin + (out[begin] == '-' || out[begin] == '+' ? 1 : 0);
+        const std::size_t end = std::min(out.find('.', first), out.size());
+        if (static_cast<std::size_t>(style.digits) > end - first)
+            out.insert(first, static_cast<std::size_t>(style.digits) - (end - first), '0');
+    }
     // A small negative number may have become 0, which append_fixed writes without its sign.
     if (style.plus && out[begin] != '+' && out[begin] != '-') out.insert(begin, 1, '+');
     return true;
@@ -58,7 +62,10 @@ Usual usual_style(Value v) {
         case Value::angle:
         case Value::angle_x:
         case Value::angle_y:
-        case Value::angle_z: return Usual::angle;
+        case Value::angle_z:
+        case Value::euler_1:
+        case Value::euler_2:
+        case Value::euler_3: return Usual::angle;
         case Value::factor_x:
         case Value::factor_y:
         case Value::factor_z: return Usual::factor;

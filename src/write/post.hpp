@@ -10,10 +10,12 @@
 #include <string_view>
 #include <vector>
 
+#include "base/comment.hpp"
 #include "base/diagnostic.hpp"
 #include "base/source.hpp"
 #include "cl/record.hpp"
 #include "shop/files/document.hpp"
+#include "shop/files/section.hpp"
 #include "write/commands.hpp"
 #include "write/functions.hpp"
 #include "write/hooks.hpp"
@@ -78,7 +80,7 @@ enum class Encoding : std::uint8_t { utf8, windows_1252, ascii };
 struct Post {
     std::string name, title, control, suffix;
     bool for_mills_alone = false;  ///< it has no words for programs of lathes
-    bool is_canon = false;         ///< canonical calls (cl/canon.hpp) instead of templates
+    bool is_canon = false;         ///< canonical calls (write/canon) instead of templates
     std::string block_end;         ///< behind each block (" *")
     std::string line_end = "\n";
     Tape tape = Tape::none;                  ///< code of the punched tape; none: the text as it is
@@ -90,6 +92,10 @@ struct Post {
     Encoding encoding = Encoding::utf8;
     std::optional<SubprogramForm> subprogram;  ///< in the program's file
     std::optional<SubprogramForm> own_file;    ///< in files beside it
+    /// mm: the control takes lengths in such steps and rounds what is finer (least input increment); 0: as written.
+    double increment = 0;
+    double least_arc =
+        0;  ///< mm: such steps of a control whose posts say finer places; ends of arcs within one are one
     std::vector<NumberStyle> styles;
     std::size_t words = 0;                 ///< how many are modal
     std::vector<bool> word_is_coordinate;  ///< of those: forgotten where the frame changes
@@ -100,23 +106,25 @@ struct Post {
     std::map<cl::CycleKind, std::vector<CycleForm>> cycles;
     std::optional<BlockNumbers> numbers;
     std::string
-        change_stops_spindle;        ///< the word that is in force behind a tool change (M5); empty: none comes into it
-    bool repeats_tool = false;       ///< a tool that is in the spindle already is called again
-    bool length_moves = false;       ///< its words alone may move the tool by its length: they stand beside Z
-    bool plane_returns = false;      ///< to that of X and Y behind what asks for another one
-    std::string stop_stops_spindle;  ///< the same of stops of the program
+        change_stops_spindle;      ///< the word that is in force behind a tool change (M5); empty: none comes into it
+    bool repeats_tool = false;     ///< a tool that is in the spindle already is called again
+    bool length_moves = false;     ///< its words alone may move the tool by its length: they stand beside Z
+    bool plane_is_whole = false;   ///< a tilted plane is said with the shifts and turns around it as one where need be
+    bool plane_anew = false;       ///< always so; it ends before another one is set, and the axes turn to each anew
+    bool plane_by_centre = false;  ///< an arc lies in that of its centre's two coordinates, without a word for it
+    bool plane_returns = false;    ///< to that of X and Y behind what asks for another one
+    std::string stop_stops_spindle;         ///< the same of stops of the program
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
     bool raises_to_retract_plane = false;   ///< before cycles, where the tool stands below it, and before it moves over
     std::vector<std::string> kept_in_cycles;  ///< letters of words that stay in force within a series of cycles
     bool rise_before_cycle_end = false;  ///< the way up between two cycles stands before the word that ends the first
     bool corner_in_block = true;         ///< of the element; else a block of its own behind it
-    bool comment_is_plain = false;       ///< a comment holds capitals, digits and signs of the seven bit code alone
-    bool comment_holds_quotes = true;    ///< a text may hold "
-    bool comment_holds_brackets = true;  ///< a comment may hold ( and )
+    base::CommentRules comments;         ///< and other texts
     std::string function_letters;        ///< of functions that the control has; empty: all
     std::vector<FunctionNumbers> functions_refused;     ///< the control would take them for nothing, or something else
     std::vector<FunctionNumbers> functions_with_speed;  ///< beside which the speed stands
-    std::size_t longest_comment = 0;                    ///< 0: as long as it is
+    std::size_t longest_name = 0;                       ///< of a program; 0: as long as it is
+    bool name_is_plain = false;                         ///< it holds letters, digits, `_`, `-` and points alone
     std::optional<HookText> lua;                        ///< functions that are asked before the templates
     std::set<Command> hooked;                           ///< what it has functions for
     std::set<cl::CycleKind> hooked_cycles;
@@ -127,6 +135,10 @@ struct Post {
     [[nodiscard]] NamedStyles named_styles() const { return {grammar.style_names, styles}; }
 };
 
+/// Of [text] and [file] of a post.
+[[nodiscard]] base::CommentRules comment_rules(shop::Section& text);
+[[nodiscard]] Encoding encoding_of(shop::Section& file);
+
 /// Loads a file that a post names, at the place that names it; nothing, with a complaint, where it is not there.
 using LoadText = std::function<std::optional<std::uint32_t>(const std::string& name, const base::Span& where)>;
 
@@ -134,6 +146,9 @@ using LoadText = std::function<std::optional<std::uint32_t>(const std::string& n
 /// file.
 [[nodiscard]] std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources,
                                             base::Diagnostics& diagnostics, const LoadText& load = {});
+
+/// For a control that takes lengths in other increments (mm) than the post says.
+void count_in(Post&, double increment);
 
 /// A post's file as it is written, with all that it extends below it; places in that lie in `texts`.
 [[nodiscard]] std::optional<shop::Value> whole_post(std::uint32_t file, const base::Sources& sources,

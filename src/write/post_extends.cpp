@@ -62,6 +62,9 @@ shop::Value joined(const shop::Value& under, const shop::Value& over) {
     if (const Entry* without = cycles != nullptr ? shop::find(cycles->value, "without") : nullptr)
         erase_cycles(out, without->value);
     for (const Entry& e : over.entries) {
+        // How many decimals, and that they are the control's increments, stand in each other's place.
+        const std::string_view other = e.key == "decimals" ? "increments" : e.key == "increments" ? "decimals" : "";
+        std::erase_if(out.entries, [&](const Entry& there) { return there.key == other; });
         const auto same = std::find_if(out.entries.begin(), out.entries.end(),
                                        [&](const Entry& there) { return there.key == e.key; });
         if (same == out.entries.end()) {

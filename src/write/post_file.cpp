@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
@@ -31,8 +32,8 @@ public:
         if (const auto tape = file_.choice("tape", {"none", "iso", "eia"})) post_.tape = static_cast<Tape>(*tape);
         if (const auto by = file_.choice("written_by", {"templates", "canon"})) post_.is_canon = *by == 1;
         post_.block_end = file_.text("block_end").value_or("");
-        for (const std::string_view known : {"extends", "expressions", "operators", "functions", "parameters", "flow",
-                                             "words", "frames", "system", "cycle-program"})
+        for (const std::string_view known : {"extends", "statements", "expressions", "operators", "functions",
+                                             "parameters", "flow", "words", "frames", "system", "cycle-program"})
             static_cast<void>(file_.take(known));  // the tables: rewrite/language.hpp
         read_numbers();
         read_modal();
@@ -52,6 +53,16 @@ private:
         return static_cast<std::size_t>(usual_style(of));
     }
 
+    /// The control's least input increment, a decimal part of a millimetre.
+    void read_increment(const Entry& e) {
+        const bool is_number = e.value.kind == shop::ValueKind::number;
+        const double value = is_number ? e.value.number : 0, digits = std::round(-std::log10(value));
+        constexpr double most_digits = 6, noise = 1e-9;
+        if (!(value > 0 && digits >= 0 && digits <= most_digits && std::abs(value * std::pow(10, digits) - 1) < noise))
+            return complain(e.value.where, "'increment' is 1 mm or a decimal part of it (0.001, 0.0001)");
+        post_.increment = value;
+    }
+
     void read_numbers() {
         post_.styles.assign(usual_styles.size(), {});
         for (const std::string_view name : usual_styles) grammar_.style_names.emplace_back(name);
@@ -60,6 +71,10 @@ private:
         whole.exact = true;
         const Entry* table = file_.sub_table("numbers");
         for (const Entry& e : table ? table->value.entries : std::vector<Entry>{}) {
+            if (e.key == "increment") {
+                read_increment(e);
+                continue;
+            }
             Section s(e.value, "[numbers] " + e.key, file_.diagnostics());
             const auto found = std::find(grammar_.style_names.begin(), grammar_.style_names.end(), e.key);
             const auto at = static_cast<std::size_t>(found - grammar_.style_names.begin());
@@ -69,6 +84,7 @@ private:
             if (const auto d = s.integer("digits", 1, 9)) style.digits = static_cast<int>(*d);
             if (const auto d = s.integer("least", 0, style.decimals)) style.least = static_cast<int>(*d);
             style.point = s.boolean("point").value_or(style.point);
+            style.of_increments = s.boolean("increments").value_or(style.of_increments);
             style.exact = s.boolean("exact").value_or(style.exact);
             style.plus = s.boolean("plus").value_or(style.plus);
             style.factor = s.number("factor").value_or(style.factor);
@@ -77,6 +93,7 @@ private:
             style.at_rapid = s.text("at_rapid").value_or(style.at_rapid);
             s.finish();
         }
+        if (post_.increment > 0) count_in(post_, post_.increment);
         grammar_.style_of.resize(value_count);
         for (std::size_t v = 0; v < first_role; ++v) grammar_.style_of[v] = style_of(static_cast<Value>(v));
         for (std::size_t v = first_role; v < value_count; ++v)
@@ -137,6 +154,7 @@ private:
             if (!table) continue;
             if (name == "motion") {
                 post_.most_sweep = s.number("most_sweep", shop::Range::positive).value_or(0);
+                post_.least_arc = s.number("least_arc", shop::Range::not_negative).value_or(0);
                 post_.by_quadrants = s.boolean("by_quadrants").value_or(false);
             }
             if (name == "tool") post_.change_stops_spindle = stopped_by(s);
@@ -144,25 +162,20 @@ private:
                 post_.most_tapping_speed = s.number("most_tapping", shop::Range::positive).value_or(0);
             if (name == "tool") post_.repeats_tool = s.boolean("repeats").value_or(false);
             if (name == "tool") post_.length_moves = s.boolean("length_moves").value_or(false);
+            if (name == "frame") post_.plane_is_whole = s.boolean("plane_is_whole").value_or(false);
+            if (name == "frame") post_.plane_anew = s.boolean("plane_anew").value_or(false);
             if (name == "plane") post_.plane_returns = s.boolean("returns").value_or(false);
+            if (name == "plane") post_.plane_by_centre = s.boolean("by_centre").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.raises_to_retract_plane = s.boolean("raises_first").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);
             if (name == "cycles") post_.kept_in_cycles = s.texts("keeps");
-            if (name == "file")
-                post_.encoding =
-                    static_cast<Encoding>(s.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
+            if (name == "file") read_file_table(s);
             if (name == "corner") post_.corner_in_block = s.boolean("in_block").value_or(true);
             if (name == "cycles") read_inheritance(s);
             if (name == "function") read_functions(s, post_);
-            if (name == "text") {
-                post_.comment_is_plain = s.boolean("plain").value_or(false);
-                post_.comment_holds_quotes = s.boolean("holds_quotes").value_or(true);
-                post_.comment_holds_brackets = s.boolean("holds_brackets").value_or(true);
-                if (const auto n = s.integer("longest", 1, 10'000))
-                    post_.longest_comment = static_cast<std::size_t>(*n);
-            }
+            if (name == "text") post_.comments = comment_rules(s);
             s.finish();
         }
     }
@@ -218,6 +231,12 @@ private:
         }
     }
 
+    void read_file_table(Section& s) {
+        post_.encoding = encoding_of(s);
+        post_.longest_name = static_cast<std::size_t>(s.integer("longest_name", 1, 255).value_or(0));
+        post_.name_is_plain = s.boolean("plain_name").value_or(false);
+    }
+
     /// What joined() has looked at.
     void read_inheritance(Section& s) {
         static_cast<void>(s.boolean("inherit"));
@@ -271,6 +290,20 @@ private:
 };
 
 }  // namespace
+
+base::CommentRules comment_rules(Section& s) {
+    base::CommentRules rules;
+    rules.plain = s.boolean("plain").value_or(false);
+    rules.holds_quotes = s.boolean("holds_quotes").value_or(true);
+    rules.holds_brackets = s.boolean("holds_brackets").value_or(true);
+    rules.active = s.texts("active");
+    if (const auto n = s.integer("longest", 1, 10'000)) rules.longest = static_cast<std::size_t>(*n);
+    return rules;
+}
+
+Encoding encoding_of(Section& file) {
+    return static_cast<Encoding>(file.choice("encoding", {"utf-8", "windows-1252", "ascii"}).value_or(0));
+}
 
 std::optional<Post> read_post(std::uint32_t file, const base::Sources& sources, base::Diagnostics& diagnostics,
                               const LoadText& load) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 #include "write/printer.hpp"
 #include "write/samples.hpp"
 
@@ -25,7 +26,8 @@ public:
         values_.clear();
         for (const Value v : {Value::x, Value::y, Value::z, Value::feed, Value::speed}) use(index_of(v), p);
         use_all(usual, p);
-        set_texts();
+        set_texts(c.command);
+        leave_out_the_impossible(c.command, usual, p);
         Template said;
         const bool asks = hooks_ != nullptr && post_.hooked.count(c.command) != 0;
         const bool by_hook = asks && ask(p, false, said);
@@ -70,10 +72,44 @@ private:
         });
     }
 
-    void set_texts() {
-        values_.set(Text::name, "NAME");
+    void set_texts(Command command) {
+        const bool axis = command == Command::axis || command == Command::axis_numbered;
+        values_.set(Text::name, !axis ? "NAME" : command == Command::axis_numbered ? "C2" : "C");
         values_.set(Text::text, "TEXT");
-        values_.set(Text::letter, "M");
+        const bool has_m = post_.function_letters.empty() || post_.function_letters.find('M') != std::string::npos;
+        values_.set(Text::letter, has_m ? "M" : post_.function_letters.substr(0, 1));
+    }
+
+    void leave_out(Value v, Previewed& p) {
+        if (choice_.count(std::string(name_of(v))) != 0) return;
+        values_.drop(v);
+        std::erase_if(p.values, [&](const ChosenValue& c) { return c.value == index_of(v); });
+    }
+
+    /// What the writer never says in one block: the pitch along several axes, a function that the post refuses, moves
+    /// along several axes of a control that makes staircases of them.
+    void leave_out_the_impossible(Command command, const Template& form, Previewed& p) {
+        const auto has = [&](Value v) { return says(form, index_of(v)); };
+        if (has(Value::pitch_z))
+            leave_out(Value::pitch_x, p), leave_out(Value::pitch_y, p);
+        else if (has(Value::pitch_x))
+            leave_out(Value::pitch_y, p);
+        const bool moves = command == Command::rapid || command == Command::linear;
+        if (moves && post_.staircase) leave_out(Value::y, p), leave_out(Value::z, p);
+        if (command == Command::function) choose_function(p);
+    }
+
+    void choose_function(Previewed& p) {
+        const auto chosen = choice_.find("number");
+        const auto refused = [&](int n) { return is_among(post_.functions_refused, 'M', n); };
+        int number = chosen != choice_.end() ? base::clipped<int>(chosen->second, 0, 9999) : 10;
+        constexpr int most = 999;
+        while (chosen == choice_.end() && number < most && refused(number)) ++number;
+        if (!is_among(post_.functions_with_speed, 'M', number)) leave_out(Value::speed, p);
+        if (chosen != choice_.end()) return;
+        values_.set(Value::number, number);
+        for (ChosenValue& c : p.values)
+            if (c.value == index_of(Value::number)) c.number = number;
     }
 
     bool ask(Previewed& p, bool in_cycle, Template& said) {

@@ -13,7 +13,7 @@ using Role = cl::CycleRole;
 
 constexpr double same = 1e-9;  // mm
 
-enum class Way : std::uint8_t { drill, peck, chip_break, feed_out, tap_floating, tap_rigid };
+enum class Way : std::uint8_t { drill, peck, chip_break, feed_out, tap_floating, tap_rigid, tap_chip_break };
 
 /// A hole, whoever says it.
 struct Hole {
@@ -89,6 +89,20 @@ void take_tap(Hole& h, Asked& asked, const motion::State& state) {
     asked.expect(h.direction != 0 && std::isfinite(h.pitch) && h.pitch > 0);
 }
 
+/// G84 Q: how far the tap goes back is the machine's own where nothing says it; it is run as 1 mm, and so is what is
+/// written. Behind a way out (0) the next step begins where it went out.
+void take_tap_infeeds(Hole& h, Asked& asked) {
+    constexpr double back_of_machine = 1;
+    const double infeed = asked.or_0(Role::infeed);
+    if (infeed == 0) return;
+    const auto distance = asked.find(Role::chip_break_distance), turns = asked.find(Role::chip_break_turns),
+               stop = asked.find(Role::stop_distance_first);
+    asked.expect(infeed > 0 && h.dwell == 0 && stop.value_or(0) == 0);
+    h.way = Way::tap_chip_break;
+    h.infeed = infeed;
+    h.gap = turns ? *turns * h.pitch : distance.value_or(stop ? 0 : back_of_machine);
+}
+
 /// By a retract plane and a bottom; the feed is that in force.
 std::optional<Hole> of_canned(const cl::Cycle& cycle, Way way, const motion::State& state) {
     Asked asked(cycle);
@@ -105,6 +119,7 @@ std::optional<Hole> of_canned(const cl::Cycle& cycle, Way way, const motion::Sta
     if (way == Way::tap_floating) h.direction = asked.needed(Role::spindle_direction);
     h.feed = state.feed.value;
     if (way == Way::tap_rigid) take_tap(h, asked, state);
+    if (way == Way::tap_rigid) take_tap_infeeds(h, asked);
     asked.pass({Role::starts_spindle});
     const bool takes_feed = way != Way::tap_rigid;
     asked.expect(!takes_feed || (state.feed.mode == cl::FeedMode::per_minute && h.feed > 0));
@@ -216,6 +231,31 @@ double surface_of(const Hole& h) {
     return h.top - std::min(2.0, (h.top - h.bottom) / 2);
 }
 
+/// CYCL DEF 209 counts its steps from the surface, G84 from the retract plane where no surface is said, and says how
+/// far it goes back in pitches.
+HoleWay as_tap_chip_breaking(const cl::Cycle& from, const Hole& h) {
+    const double surface = h.surface.value_or(h.top);
+    return with(from, CycleKind::tap_chip_breaking,
+                {{Role::clearance, h.top - surface},
+                 {Role::depth, h.bottom - surface},
+                 {Role::surface, surface},
+                 {Role::second_clearance, h.end - surface},
+                 {Role::pitch, h.direction * h.pitch},
+                 {Role::chip_break_depth, h.infeed},
+                 {Role::chip_break_distance, h.gap / h.pitch}});
+}
+
+/// By a retract plane; how far it goes back is said in turns of the spindle.
+HoleWay as_tap_by_turns(const cl::Cycle& from, const Hole& h) {
+    HoleWay out = as_canned(from, h);
+    out.cycle.values.insert(out.cycle.values.end(), {{Role::spindle_direction, h.direction},
+                                                     {Role::pitch, h.pitch},
+                                                     {Role::infeed, h.infeed},
+                                                     {Role::chip_break_turns, h.gap / h.pitch}});
+    out.feed.reset();
+    return out;
+}
+
 std::vector<HoleWay> as_depths(const cl::Cycle& from, const Hole& h) {
     const double surface = surface_of(h), depth = h.bottom - surface;
     if (!(depth < 0)) return {};
@@ -260,6 +300,11 @@ std::vector<HoleWay> same_hole(const cl::Cycle& cycle, const motion::State& stat
     const std::optional<Hole> hole = canned ? of_canned(cycle, *way, state) : of_depths(cycle, *way, state);
     if (!hole || !(hole->top > hole->bottom)) return {};
     if (canned) {
+        if (hole->way == Way::tap_chip_break) {
+            std::vector<HoleWay> out{as_tap_chip_breaking(cycle, *hole)};
+            if (hole->gap > 0) out.push_back(as_tap_by_turns(cycle, *hole));
+            return out;
+        }
         std::vector<HoleWay> out = as_depths(cycle, *hole);
         if (cycle.kind == CycleKind::canned_tap_rigid) out.insert(out.begin(), as_canned(cycle, *hole));
         return out;

@@ -141,7 +141,10 @@ double sample_value(ValueIndex value) {
         case Value::angle:
         case Value::angle_x:
         case Value::angle_y:
-        case Value::angle_z: return 30;
+        case Value::angle_z:
+        case Value::euler_1:
+        case Value::euler_2:
+        case Value::euler_3: return 30;
         case Value::pitch:
         case Value::pitch_x:
         case Value::pitch_y:

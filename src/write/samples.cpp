@@ -139,8 +139,6 @@ void Maker::places() {
         add_modal("zero " + std::to_string(number), cl::Datum{number, unknown});
     add("place of a zero", {cl::DatumData{55, {100, turning_ ? NAN : 50, -20}, {}, false}});
     add("a zero is moved", {cl::DatumData{55, {1, turning_ ? NAN : 2, 3}, {}, true}});
-    cl::Setting unit;
-    add("a setting of the run, which says nothing by itself", {unit});
 }
 
 void Maker::frames() {

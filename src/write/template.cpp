@@ -197,4 +197,11 @@ bool has_part(const Template& text, Part part) {
     });
 }
 
+Places::Places(const Template& text) {
+    for (std::size_t i = 0; i < part_count; ++i) parts_[i] = has_part(text, static_cast<Part>(i));
+    const bool by_sweep = says(text, index_of(Value::sweep));
+    constexpr std::array values{Value::x, Value::y, Value::z};
+    for (std::size_t k = 0; k < values.size(); ++k) axes_[k] = by_sweep || says(text, index_of(values[k]));
+}
+
 }  // namespace obrys::write

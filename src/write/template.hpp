@@ -15,6 +15,7 @@
 ///   {comp} {feed} {corner} {axes} {length} {coolant}   what compensation, feed, corner, additional axes, the
 ///                 compensation of the tool's length and coolant have to say here; {feed!}: also what is in force
 
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -27,6 +28,7 @@ namespace obrys::write {
 
 /// Places in a template for what other templates print.
 enum class Part : std::uint8_t { compensation, feed, corner, axes, length, coolant };
+inline constexpr std::size_t part_count = static_cast<std::size_t>(Part::coolant) + 1;
 
 struct Token {
     enum class Kind : std::uint8_t { literal, word, text, choice, part };
@@ -51,6 +53,8 @@ struct Token {
     int slot = -1;    ///< where the word's last text is remembered; -1: it is not modal
     int spoils = -1;  ///< the slot of a word that holds another value behind this one: F of a thread; -1: none
     int group = -1;   ///< modal group of a literal; -1: none
+    /// A word of which the number tells all: X{x}.
+    [[nodiscard]] bool is_number_alone() const { return !first && indices.empty() && after.empty(); }
 };
 
 using Block = std::vector<Token>;
@@ -60,6 +64,19 @@ using Template = std::vector<Block>;
 [[nodiscard]] bool says(const Template& text, ValueIndex value);
 /// Whether it has a place for such a part.
 [[nodiscard]] bool has_part(const Template& text, Part part);
+
+/// What a move asks of its template, found once.
+struct Places {
+    Places() = default;
+    explicit Places(const Template& text);
+    [[nodiscard]] bool has(Part part) const { return parts_[static_cast<std::size_t>(part)]; }
+    /// Whether it says X, Y, Z (0, 1, 2), or all of them by an angle.
+    [[nodiscard]] bool says_axis(std::size_t axis) const { return axes_[axis]; }
+
+private:
+    std::array<bool, part_count> parts_{};
+    std::array<bool, 3> axes_{};
+};
 
 /// What templates are read with.
 struct Grammar {

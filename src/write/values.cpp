@@ -16,7 +16,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> n
     "number", "value", "edge", "turret", "raised", "wider", "offset", "own-diameter", "nose", "place", "approach", "entry",
     "around", "sharp", "way", "merge",
     "contour", "rotary", "purpose", "purpose-angle", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",
-    "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "side", "turn-side", "table-turns", "distance", "factor-x", "factor-y", "factor-z",
+    "shift-y", "shift-z", "angle", "angle-x", "angle-y", "angle-z", "euler-1", "euler-2", "euler-3", "side", "turn-side", "table-turns", "distance", "factor-x", "factor-y", "factor-z",
     "mirror-x", "mirror-y", "mirror-z", "block", "passes"};
 // clang-format on
 constexpr std::array<std::string_view, static_cast<std::size_t>(Text::count)> texts{"name", "text", "letter"};

@@ -112,6 +112,9 @@ enum class Value : std::uint8_t {
     angle_x,  ///< turns about the axes as they stand, x first, then y, then z
     angle_y,
     angle_z,
+    euler_1,  ///< turns about z, about x as it then lies, about z as it then lies; of planes alone
+    euler_2,
+    euler_3,
     side,         ///< 1 or -1: the sign of the rotary axis that the plane is to take; absent: the control chooses
     turn_side,    ///< side, 1 where the control chooses
     table_turns,  ///< 1: a table turns where turning the coordinates alone would do; else absent

@@ -13,6 +13,7 @@ Writer::Writer(const Post& post, std::string name, Output output)
         HookFault fault;  // read_post has tried it out
         hooks_ = load_hooks(post_.lua->text, post_.named_styles(), fault);
     }
+    for (std::size_t c = 0; c < places_.size(); ++c) places_[c] = Places(post.commands[c]);
     folded_ = std::move(output.folded);
     if (post_.magazine) magazine_.emplace(*post_.magazine);
     if (post_.staircase) begin_stairs(std::move(output.run));
@@ -72,7 +73,7 @@ bool Writer::print(Command command, std::string_view what, bool rapid) {
         note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
         return false;
     }
-    if (printed == Printed::all && has_part(post_[command], Part::coolant)) coolant_said(line);
+    if (printed == Printed::all && places(command).has(Part::coolant)) coolant_said(line);
     const bool remark = command == Command::comment;  // and nothing that the machine does
     if (printed != Printed::refused && !remark) note(Fate::mapped, std::string(what), line);
     return true;
@@ -115,7 +116,8 @@ void Writer::take(const cl::Record& record) {
 void Writer::take_written(const cl::Record& record) {
     if (stop_waits_ && !is_of_stop(record)) write_stop();
     now_ = &record;
-    remember_topic(record.step);
+    const bool straight = std::holds_alternative<cl::Linear>(record.step);
+    if (!straight) remember_topic(record.step);
     if (folding_ > 0) {
         take_folded(record);
     } else if (const auto* begin = std::get_if<cl::CycleBegin>(&record.step)) {
@@ -129,6 +131,7 @@ void Writer::take_written(const cl::Record& record) {
     } else {
         take_event(record);
     }
+    straight_alone_ = straight && straight_alone_;
     now_ = nullptr;
 }
 
@@ -154,7 +157,7 @@ void Writer::take_move(const cl::Record& record) {
     const bool may_wait = line != nullptr && line->rapid && ends.empty() && !place_ && !stairs_;
     const bool behind_rise = held_.size() == 1 && rise_waits();
     if (!may_wait || !(same_block || behind_rise)) flush_held();
-    axes_ = ends;
+    if (!axes_.empty() || !ends.empty()) axes_ = ends;
     const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
     if (may_wait)

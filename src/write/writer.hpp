@@ -118,7 +118,6 @@ private:
     void event(const cl::PartEnd&) {}
     void event(const cl::CycleEnd&) {}  // of a cycle that is written by its moves
     void event(const cl::LeadEnd&) {}
-    void event(const cl::Setting&) {}  // for canonical calls alone
     void event(const cl::MachinePlace&) {}
     void event(const cl::Programmed&) {}
     void event(const cl::CycleBegin&) {}
@@ -139,6 +138,7 @@ private:
 
     // What holds, before something happens.
     void write_state();
+    [[nodiscard]] bool is_state_written() const;
     void write_all();  ///< and what waits for a move
     void write_tool();
     [[nodiscard]] bool place_tool(const cl::ToolChange& change, const std::string& what);
@@ -166,8 +166,10 @@ private:
     [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
+    [[nodiscard]] bool is_turned_by_control(const cl::Step& step) const;
     [[nodiscard]] bool write_turn(const cl::Linear& line, const geom::Vec3& from);
-    [[nodiscard]] std::optional<Command> turning_form(Command plain) const;
+    [[nodiscard]] std::optional<Command> turning_form(const FrameStep& step) const;
+    void note_speed(const cl::Spindle&);
     void write_spindle(const cl::Spindle& s);
     void ready_spindle(const cl::Thread& tap);
     void await_coolant();
@@ -181,7 +183,7 @@ private:
 
     // Moves.
     void write_move(const cl::Step& step, const geom::Vec3& from);
-    void write_way(const cl::Step& step, const geom::Vec3& from);
+    void write_way(const cl::Step& step, const geom::Vec3& from, bool points_as_before);
     void drop_standing_axes();
     void print_straight(const geom::Vec3& to, bool rapid, const cl::Programmed* corner, cl::Seek seek);
     void write_line(const geom::Vec3& to, bool rapid, const cl::Programmed* corner = nullptr,
@@ -190,6 +192,8 @@ private:
     [[nodiscard]] std::vector<double> cuts_of(const cl::Arc& arc, const geom::Vec3& from) const;
     void write_cut_arc(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     void write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
+    [[nodiscard]] bool is_lost_in_increments(const cl::Arc& arc, const geom::Vec3& start, const geom::Vec3& to,
+                                             const geom::Vec3& centre) const;
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
@@ -197,6 +201,7 @@ private:
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
     void note_feed(bool rapid);
+    void say_feed_mode(cl::FeedMode mode);
     void note_unknown(const geom::Vec3& from, const cl::Linear& line);
     void lose_axes();
     [[nodiscard]] bool stays(const cl::ToolChange& change) const;
@@ -214,7 +219,7 @@ private:
     [[nodiscard]] bool ends_before(const Template& form, Command command) const;
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
     void note_direction(const geom::Vec3& axis);
-    void note_unsaid(Command command, const Template& form, bool rapid);
+    void note_unsaid(Command command, bool rapid);
     void note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line);
     void print_move(Command command, bool rapid, const cl::Programmed* corner);
     [[nodiscard]] Command feed_command(bool rapid) const;
@@ -236,7 +241,6 @@ private:
     void set_values(const HoleWay& way, const geom::Vec3& at);
 
     void print_lead();
-    void clean(std::string& text) const;
     bool print(Command command, std::string_view what, bool rapid = false);
     Printed put(Command command, const Parts& parts, std::string_view what, bool moves = false);
     [[nodiscard]] const Template* form_of(Command command, std::string_view what);
@@ -256,8 +260,10 @@ private:
     bool without_tool_noted_ = false;
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
     std::function<void(const FoldedBy&)> folded_;
-    std::unique_ptr<Hooks> hooks_;  ///< null: the post has none
-    Template said_;                 ///< by one of them
+    std::unique_ptr<Hooks> hooks_;                                         ///< null: the post has none
+    Template said_;                                                        ///< by one of them
+    std::array<Places, static_cast<std::size_t>(Command::count)> places_;  ///< of the post's commands
+    [[nodiscard]] const Places& places(Command c) const { return places_[static_cast<std::size_t>(c)]; }
     Values values_;
     motion::Cursor cursor_;
     const cl::Record* now_ = nullptr;
@@ -265,9 +271,10 @@ private:
     // What the text says so far.
     cl::Spindle spindle_;
     cl::Coolant coolant_;
-    std::optional<Command> coolant_waits_;  ///< for the next block that has a place for it
-    bool coolant_may_wait_ = false;         ///< a move follows that has
-    cl::Feed feed_noted_;                   ///< of which has been said that it is lost
+    std::optional<Command> coolant_waits_;   ///< for the next block that has a place for it
+    bool coolant_may_wait_ = false;          ///< a move follows that has
+    cl::Feed feed_noted_;                    ///< of which has been said that it is lost
+    std::optional<cl::FeedMode> feed_mode_;  ///< of the last move at feed
     cl::Tolerance tolerance_;
     std::optional<cl::PathMode> path_;
     std::optional<cl::Datum> datum_;
@@ -290,7 +297,10 @@ private:
         std::optional<double> about{};  ///< mm before the tip: what stays there; nothing: the linear axes stand
         bool is_written = false;        ///< the words of the plane have done it
     };
-    std::optional<PlaneTurn> plane_turn_;      ///< while it is being written
+    bool turned_by_control_ = false;  ///< the axes have turned by words of the plane: where the tip is, nobody knows
+    bool counts_anew_ = false;        ///< with another plane the rotary axes count otherwise; nothing moves
+    std::optional<geom::Vec3> taken_up_;   ///< normal of the tilted plane to which the text has turned the rotary axes
+    std::optional<PlaneTurn> plane_turn_;  ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
     std::string defined_;                      ///< cycle in force, as printed
     std::string called_;                       ///< the last cycle without its place
@@ -324,6 +334,7 @@ private:
     bool corner_by_moves_ = false;    ///< of the last element
     bool contour_begun_ = false;      ///< an element has been written under compensation
     std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
+    bool straight_alone_ = false;     ///< since all that holds was written, nothing but straight moves has come
     bool ended_ = false;
     std::optional<cl::Record> stop_waits_;  ///< for what else its block does
 

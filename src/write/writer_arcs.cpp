@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "write/lesser.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
@@ -30,7 +31,29 @@ geom::Vec3 place_as_written(const geom::Vec3& p, const Post& post) {
             as_written(p.z, style_of(post, Value::z))};
 }
 
+/// In how many of the control's increments the words say it.
+double counted(double value, const NumberStyle& style, double increment) {
+    return std::round(as_written(value, style) * style.factor / increment);
+}
+
 }  // namespace
+
+/// The control takes both ends for one place, or the centre for its start: it would run a full circle, or none.
+bool Writer::is_lost_in_increments(const cl::Arc& arc, const geom::Vec3& start, const geom::Vec3& to,
+                                   const geom::Vec3& centre) const {
+    const double step = least_arc(post_);
+    if (step == 0 || !(std::abs(arc.sweep) < geom::pi)) return false;
+    const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
+    const auto is_one = [&](const geom::Vec3& a, const geom::Vec3& b) {
+        const auto same = [&](double along, double p, double q, Value v) {
+            const NumberStyle& style = style_of(post_, v);
+            return std::abs(along) > 0.5 || counted(p, style, step) == counted(q, style, step);
+        };
+        return same(normal.x, a.x, b.x, Value::x) && same(normal.y, a.y, b.y, Value::y) &&
+               same(normal.z, a.z, b.z, Value::z);
+    };
+    return is_one(start, to) || is_one(start, centre);
+}
 
 /// Where an arc that the post has to write in pieces ends its pieces: angles from its start, radians, without its own
 /// end.
@@ -129,8 +152,12 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     const geom::Vec3 normal = frames_.programmed_direction(arc.normal);
     if (!is_normal_noise(normal)) return write_arc_in_space(arc, from, corner);
     const bool outside_xy = std::abs(normal.z) < 0.5;
-    if (outside_xy && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
-        return note(Fate::lost, "an arc outside of the plane of X and Y: the post has no words for its plane");
+    const bool rises = std::abs(geom::dot(arc.to - from, arc.normal)) > 1e-9;
+    const bool by_centre = post_.plane_by_centre && !rises && !is_compensating_;
+    if (outside_xy && !by_centre && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
+        return note(Fate::lost, std::string(rises ? "a helix" : "an arc") +
+                                    " outside of the plane of X and Y: the post has no words for its plane");
+    if (is_lost_in_increments(arc, start, to, centre)) return print_straight(to, arc.rapid, corner, cl::Seek::nothing);
     select_plane(normal);
     const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
     const double sense = (frames_.mirrors() ? -1 : 1) * (along > 0 ? 1 : -1);

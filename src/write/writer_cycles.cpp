@@ -231,6 +231,8 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     end_compensation_alone(Urgency::may_wait);
     select_plane(*normal);
     set_values(way, at);
+    // Feeds of cycles are in mm/min.
+    if (way.feed || post_.has(Command::feed_mode_per_minute)) say_feed_mode(cl::FeedMode::per_minute);
     std::string defined;
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     begin_cycles(defined);

@@ -26,6 +26,14 @@ void Writer::event(const cl::Dwell& dwell) {
     const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
     if (std::isnan(turns ? dwell.revolutions : dwell.seconds))
         return note(Fate::lost, "a dwell whose time is not known");
+    const double seconds = cl::seconds_of(dwell, cursor_.state().spindle);
+    if (turns && !std::isnan(seconds) && !post_.has(Command::dwell_revolutions)) {
+        Note in_seconds{Fate::expanded, "a dwell of so many revolutions", {}, 0, 0};
+        in_seconds.instead = "is written in seconds, at the speed of the spindle";
+        note_at(std::move(in_seconds));
+        values_.set(Value::seconds, seconds);
+        return static_cast<void>(print(Command::dwell_seconds, "a dwell"));
+    }
     values_.set(Value::seconds, dwell.seconds);
     values_.set(Value::revolutions, dwell.revolutions);
     print(turns ? Command::dwell_revolutions : Command::dwell_seconds, "a dwell");
@@ -75,6 +83,12 @@ void Writer::write_stop() {
     values_.clear();
     const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
     print(optional ? Command::stop_optional : Command::stop_program, "a stop");
+    if (!post_.stop_stops_spindle.empty() && (spindle_.direction != 0 || !(coolant_ == cl::Coolant{}))) {
+        Note stands{
+            Fate::expanded, "a stop while spindle or coolant is on, which this control stops with it,", {}, 0, 0};
+        stands.instead = "is written, and both are told again behind it";
+        note_at(std::move(stands));
+    }
     stop_spindle(post_.stop_stops_spindle);
     if (!post_.stop_stops_spindle.empty()) coolant_ = {};  // what stops the one stops the other
     now_ = now;
@@ -140,19 +154,6 @@ void Writer::event(const cl::ToolData& data) {
     print(Command::tool_data, "what a tool is");
 }
 
-/// Characters that would end the comment, or that the control does not have.
-void Writer::clean(std::string& text) const {
-    text = base::as_utf8(text);
-    for (char& c : text) {
-        if (!post_.comment_holds_brackets) c = c == '(' ? '<' : c == ')' ? '>' : c;
-        if (!post_.comment_holds_quotes && c == '"') c = '\'';
-        if (c == '\n' || c == '\r') c = ' ';
-        if (!post_.comment_is_plain) continue;
-        if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-        if (c < ' ' || c > 'Z' || c == '%') c = c == '<' || c == '>' ? c : ' ';
-    }
-}
-
 void Writer::event(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
@@ -162,12 +163,15 @@ void Writer::event(const cl::Comment& comment) {
         return note_at(std::move(left_out));
     }
     if (comment.message) write_all();  // it stands before the stop that it is for
-    std::string text = comment.text;
-    if (comment.message && command == Command::comment) note(Fate::expanded, "a message, which is a comment here,");
-    clean(text);
+    std::string text = base::comment_text(comment.text, post_.comments);
+    if (post_.encoding != Encoding::utf8) text = base::without_marks(text, post_.encoding == Encoding::windows_1252);
+    if (comment.message && command == Command::comment) {
+        Note shown{Fate::expanded, "a message", {}, 0, 0};
+        shown.instead = "is a comment there";
+        note_at(std::move(shown));
+    }
     if (post_.encoding == Encoding::windows_1252 && base::utf8_to_cp1252(text, '?') != base::utf8_to_cp1252(text, '_'))
         note(Fate::expanded, "a comment, with ? for characters that Windows-1252 has not,");
-    base::cut_utf8(text, post_.longest_comment);
     values_.set(Text::text, text);
     print(command, "a comment");
 }

@@ -28,6 +28,10 @@ bool is_place_known(const cl::MachinePlace& place) {
     return true;
 }
 
+constexpr double along_normal = 1e-9;
+
+geom::Vec3 normal_of(const cl::FramePart& plane) { return geom::apply_direction(plane.frame, {0, 0, 1}); }
+
 constexpr std::string_view frame_table = "frame.";  ///< of the names of its commands
 
 }  // namespace
@@ -51,6 +55,17 @@ bool Writer::turns_with_plane(const cl::Step& step) const {
     const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
     return !(block == Source{}) && block == Source{now_->from, now_->stack} &&
            !is_same_plane(plane_of(cursor_.state().frame.parts), plane_of(frames_.parts()));
+}
+
+/// The control turns the axes to the plane of the same block, nobody knows where.
+bool Writer::is_turned_by_control(const cl::Step& step) const {
+    const auto* line = std::get_if<cl::Linear>(&step);
+    const cl::FramePart* plane = plane_of(cursor_.state().frame.parts);
+    if (line == nullptr || !line->rapid || !axes_.empty() || place_ || now_ == nullptr || plane == nullptr)
+        return false;
+    const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
+    return plane->turn.by_control && std::isnan(line->to.x) && std::isnan(line->to.y) && std::isnan(line->to.z) &&
+           block == Source{now_->from, now_->stack};
 }
 
 namespace {
@@ -85,8 +100,16 @@ bool Writer::write_turn(const cl::Linear& line, const geom::Vec3& from) {
 }
 
 /// The command that does the same and turns the axes, where they turn now.
-std::optional<Command> Writer::turning_form(Command plain) const {
-    if (!plane_turn_) return std::nullopt;
+std::optional<Command> Writer::turning_form(const FrameStep& step) const {
+    const Command plain = step.command;
+    if (!plane_turn_) {
+        if (plain != Command::plane || !post_.has(Command::plane_turn)) return std::nullopt;
+        const bool again =
+            post_.plane_anew && taken_up_ && geom::distance(*taken_up_, normal_of(step.part)) < along_normal;
+        return again || step.part.turn.by_control ? std::optional(Command::plane_turn) : std::nullopt;
+    }
+    // What takes the place of a plane turns the axes.
+    if (plain == Command::plane_off && plane_of(cursor_.state().frame.parts) != nullptr) return std::nullopt;
     std::optional<Command> form;
     if (plain == Command::plane) form = plane_turn_->about ? Command::plane_move : Command::plane_turn;
     if (plain == Command::plane_off) form = plane_turn_->about ? Command::plane_move_off : Command::plane_turn_off;
@@ -120,11 +143,16 @@ void Writer::write_frame() {
         // Axes come in the order of the machine's chain: the last one is that whose sign tells the two positions apart.
         if (plane_turn_ && !axes_.empty() && !values_.has(index_of(Value::side)))
             values_.set(Value::turn_side, axes_.back().to < 0 ? -1 : 1);
-        const auto turning = turning_form(step.command);
+        const auto turning = turning_form(step);
         const Command command = turning.value_or(step.command);
         const std::string what = "a frame (" + std::string(name_of(command)).substr(frame_table.size()) + ")";
-        const bool printed = print(command, what, turning && plane_turn_->rapid);
-        if (turning) plane_turn_->is_written = printed;
+        const bool printed = print(command, what, turning && (!plane_turn_ || plane_turn_->rapid));
+        if (turning && plane_turn_) plane_turn_->is_written = printed;
+        turned_by_control_ = turned_by_control_ || (step.part.turn.by_control && printed);
+        if (step.part.turn.by_control && !turning)
+            note(Fate::lost, "that the control turns the rotary axes to the tilted plane");
+        if (step.command == Command::plane)
+            taken_up_ = turning && printed ? std::optional(normal_of(step.part)) : std::nullopt;
     }
 }
 

@@ -61,36 +61,37 @@ void Writer::note_feed(bool rapid) {
 
 /// Axes that the move cannot take along.
 void Writer::lose_axes() {
+    if (axes_.empty()) return;
     for (const cl::AxisEnd& axis : std::exchange(axes_, {}))
         note(Fate::lost, "axis " + std::string(axis.name.data()) + ", which moves together with others here,");
 }
 
 /// What a move has and its template has no place for.
-void Writer::note_unsaid(Command command, const Template& form, bool rapid) {
-    const bool by_sweep = says(form, index_of(Value::sweep));
-    constexpr std::array<Value, 3> axes{Value::x, Value::y, Value::z};
-    for (std::size_t k = 0; k < axes.size(); ++k) {
-        const ValueIndex v = index_of(axes[k]);
+void Writer::note_unsaid(Command command, bool rapid) {
+    const Places& form = places(command);
+    for (std::size_t k = 0; k < stands_.size(); ++k) {
+        const auto v = static_cast<ValueIndex>(index_of(Value::x) + k);
         if (!values_.has(v)) continue;
         const double before = std::exchange(stands_[k], values_.number(v));
-        const bool said = by_sweep || says(form, v) || says(post_[Command::linear], v);
+        const bool said = form.says_axis(k) || places(Command::linear).says_axis(k);
         if (said || std::abs(stands_[k] - before) <= place_noise) continue;
         note(Fate::lost, std::string("a move along ") + "XYZ"[k]);
     }
-    if (!axes_.empty() && !has_part(form, Part::axes)) lose_axes();
-    const bool feeds = !rapid && cursor_.state().feed.value != 0 && post_.has(feed_command(false));
-    if (feeds && !has_part(form, Part::feed) && without_feed_.insert(command).second)
+    if (!axes_.empty() && !form.has(Part::axes)) lose_axes();
+    const bool may_feed = !rapid && !form.has(Part::feed) && cursor_.state().feed.value != 0;
+    if (may_feed && post_.has(feed_command(false)) && without_feed_.insert(command).second)
         note(Fate::lost, "a feed: " + std::string(name_of(command)) + " of the post has no place for it");
 }
 
 /// What stands in the block of a move, and is a word of its own elsewhere.
 void Writer::note_printed(Command command, const Template& form, const Parts& parts, std::uint64_t line) {
-    if (parts.length != nullptr && has_part(form, Part::length)) {
+    const Places said = &form == &said_ ? Places(said_) : places(command);
+    if (parts.length != nullptr && said.has(Part::length)) {
         const About about(*this, Topic::length);
         note(Fate::mapped, "the length of the tool", line);
         length_waits_.reset();
     }
-    if (has_part(form, Part::coolant)) coolant_said(line);
+    if (said.has(Part::coolant)) coolant_said(line);
     if (compensation_) end_wait_of_compensation(command, form, line);
     const std::string_view special = special_move(command);
     if (!special.empty()) note(Fate::mapped, std::string(special), line);
@@ -99,6 +100,7 @@ void Writer::note_printed(Command command, const Template& form, const Parts& pa
 
 /// Words of the axes that move along; `home`: to their own zero, wherever that is.
 void Writer::take_axes(Parts& parts, bool home) {
+    if (axes_.empty()) return;
     for (const cl::AxisEnd& axis : std::exchange(axes_, {})) {
         const bool numbered = axis.name[1] != 0;
         const Template& word = post_[numbered ? Command::axis_numbered : Command::axis];
@@ -116,6 +118,7 @@ void Writer::take_axes(Parts& parts, bool home) {
 
 void Writer::print_move(Command command, bool rapid, const cl::Programmed* corner) {
     note_feed(rapid);
+    if (!rapid && cursor_.state().feed.value != 0) say_feed_mode(cursor_.state().feed.mode);
     note_cut_without_tool(rapid);
     const std::string_view special = special_move(command);
     if (!post_.has(command))
@@ -145,11 +148,11 @@ void Writer::print_move(Command command, bool rapid, const cl::Programmed* corne
     if (magazine_) set_offsets(rapid);
     const Template* form = form_of(command, "a move");
     if (form == nullptr) return axes_.clear();
-    if (ends_before(*form, command)) {
+    if (compensation_ && ends_before(*form, command)) {
         end_compensation_alone(Urgency::may_wait);
         if (!compensation_) parts.compensation = nullptr;
     }
-    if (form != &said_) note_unsaid(command, *form, rapid);
+    if (form != &said_) note_unsaid(command, rapid);
     take_axes(parts);
     const std::uint64_t line = layout_.next();
     const Printed printed = printer_.print(*form, values_, parts, form != &said_, form == &said_);
@@ -206,6 +209,7 @@ void Writer::note_unknown(const geom::Vec3& from, const cl::Linear& line) {
     const geom::Vec3& to = line.to;
     const auto leaves = [](double a, double b) { return std::isfinite(a) && std::isnan(b); };
     const bool points_as_before = std::exchange(pointed_, line.axis) == line.axis;
+    if (std::exchange(counts_anew_, false)) return;
     const bool nowhere = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z) && axes_.empty() && points_as_before;
     if (nowhere || leaves(from.x, to.x) || leaves(from.y, to.y) || leaves(from.z, to.z))
         note(Fate::lost, "a move to a coordinate that is not known");
@@ -224,24 +228,33 @@ void Writer::note_direction(const geom::Vec3& axis) {
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
+    const Source& frame_block = topics_[static_cast<std::size_t>(Topic::frame)];
+    const bool with_plane = now_ != nullptr && frame_block == Source{now_->from, now_->stack};
     if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
+    counts_anew_ = (!axes_turn && turns_with_plane(step)) || is_turned_by_control(step);
     coolant_may_wait_ =
-        line != nullptr && !place_ && has_part(post_[line->rapid ? Command::rapid : Command::linear], Part::coolant);
+        line != nullptr && !place_ && places(line->rapid ? Command::rapid : Command::linear).has(Part::coolant);
     // The spindle of a tap reverses by itself.
     const auto* thread = std::get_if<cl::Thread>(&step);
     const bool taps = thread != nullptr && thread->rigid_tap;
     if (taps && !tap_returns_) ready_spindle(*thread);
-    if (!taps || !tap_returns_) write_state();
+    const bool stands = line != nullptr && std::exchange(straight_alone_, false) && axes_.empty();
+    if (!stands && (!taps || !tap_returns_)) write_state();
     spindle_ready_ = false;
     coolant_may_wait_ = false;
-    printer_.stand_at(frames_.programmed(from));
-    write_way(step, from);
+    const bool nowhere_known = !with_plane && std::exchange(turned_by_control_, false);
+    printer_.stand_at(nowhere_known ? geom::Vec3{NAN, NAN, NAN} : frames_.programmed(from));
+    const bool straight = line != nullptr && !place_ && axes_.empty();
+    const bool points_as_before = stands && line->axis == pointed_;
+    write_way(step, from, points_as_before);
     printer_.stand_at({NAN, NAN, NAN});
     if (coolant_waits_) write_coolant();  // the move had no block
     lose_axes();
+    straight_alone_ = straight && (stands || is_state_written());
 }
 
-void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
+/// `points_as_before`: the tool and the frame stand as in the move before, of which it has been said.
+void Writer::write_way(const cl::Step& step, const geom::Vec3& from, bool points_as_before) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool to_holder = place_ && !place_->tip && place_->kind != cl::PlaceKind::frame;
     if (!to_holder) note_offsets();
@@ -249,9 +262,9 @@ void Writer::write_way(const cl::Step& step, const geom::Vec3& from) {
     if (line != nullptr && write_place(*line)) return;
     if (line != nullptr) {
         note_unknown(from, *line);
-        note_direction(line->axis);
+        if (!points_as_before) note_direction(line->axis);
         const Command command = straight_command(line->rapid, line->seek);
-        if (length_waits_ && !has_part(post_[command], Part::length)) write_all();
+        if (length_waits_ && !places(command).has(Part::length)) write_all();
         return write_line(line->to, line->rapid, nullptr, line->seek);
     }
     if (length_waits_) write_state(), write_length_alone();

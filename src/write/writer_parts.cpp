@@ -50,6 +50,7 @@ void Writer::open_part(const cl::Record& record, const cl::PartBegin& part) {
         end_cycles();
         defined_.clear();
         printer_.forget_modes();
+        feed_mode_.reset();
         printer_.keep_standing(true);
     }
     layout_.open(part, {Fate::mapped, what_is(part), record.from, record.stack, 0});

@@ -19,6 +19,14 @@ void Writer::write_state() {
     write_path();
 }
 
+/// Of all that holds nothing is to be written any more, nor looked at again, as long as only straight moves come.
+bool Writer::is_state_written() const {
+    const motion::State& s = cursor_.state();
+    const bool with_tool = s.change.with_length && s.length.sense == 0;
+    return !tool_waits_ && !coolant_waits_ && !length_waits_ && (with_tool || s.length == length_) &&
+           s.frame.parts == frames_.parts() && s.tolerance == tolerance_ && (!s.path || s.path == path_);
+}
+
 /// The control stops the spindle by itself; `word` says it stands. Empty: it does not.
 void Writer::stop_spindle(const std::string& word) {
     if (word.empty()) return;
@@ -109,6 +117,18 @@ void Writer::write_datum() {
         note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
 }
 
+/// Where S is a whole number, and the program has another one.
+void Writer::note_speed(const cl::Spindle& s) {
+    const NumberStyle& style = post_.styles[static_cast<std::size_t>(Usual::speed)];
+    if (style.decimals != 0 || std::isnan(s.speed) || s.direction == 0) return;
+    if (std::abs(as_written(s.speed, style) - s.speed) <= 1e-6 * std::abs(s.speed)) return;
+    Note rounded;
+    rounded.fate = Fate::expanded;
+    rounded.what = "S" + base::shortest(s.speed);
+    rounded.instead = "is rounded to a whole number, which S is there";
+    note_at(std::move(rounded));
+}
+
 void Writer::write_spindle(const cl::Spindle& s) {
     const About about(*this, Topic::spindle);
     const auto same = [](double a, double b) { return a == b || (std::isnan(a) && std::isnan(b)); };
@@ -130,12 +150,24 @@ void Writer::write_spindle(const cl::Spindle& s) {
     }
     if (std::isnan(s.speed)) note(Fate::lost, "a speed that is not known");
     if (!std::isnan(s.speed) && !(s.speed == 0 && s.direction == 0)) values_.set(Value::speed, s.speed);
+    note_speed(s);
     if (s.limit != 0) values_.set(Value::limit, s.limit);
     const bool surface = s.mode == cl::SpindleMode::surface;
     const Command command = s.direction > 0   ? (surface ? Command::surface_cw : Command::spindle_cw)
                             : s.direction < 0 ? (surface ? Command::surface_ccw : Command::spindle_ccw)
                                               : (surface ? Command::surface_stop : Command::spindle_stop);
     print(command, "the spindle");
+}
+
+/// The unit of the feed, where it has words of its own; in another unit F is said anew, whatever its number was.
+void Writer::say_feed_mode(cl::FeedMode mode) {
+    if (feed_mode_ == mode) return;
+    if (feed_mode_) printer_.forget_values_of(post_[feed_command(false)]);
+    feed_mode_ = mode;
+    const Command command = mode == cl::FeedMode::per_rev ? Command::feed_mode_per_rev : Command::feed_mode_per_minute;
+    if (mode == cl::FeedMode::inverse_time || !post_.has(command)) return;
+    end_compensation_alone(Urgency::may_wait);
+    static_cast<void>(printer_.print(post_[command], Values{}));
 }
 
 /// It may stand in the block of the spindle or of the next move; the word that comes before another one may not.

@@ -183,5 +183,37 @@ TEST(Writer, FunctionsOfOtherLettersAreLostWhereThePostNamesItsOwn) {
     EXPECT_EQ(w.lost.size(), 1U);
 }
 
+TEST(Writer, AnArcThatIsOnePlaceToTheControlIsNoFullCircle) {
+    const Post post = post_of(std::string("[numbers]\nincrement = 0.001\nlength = { increments = true }\n") + small);
+    const auto arc = [&](double chord, double sweep, double radius = 10) {
+        const double angle = chord / radius;
+        return write(post, {cl::Linear{{radius, 0, 0}, {0, 0, 1}, true},
+                            cl::Arc{{radius * std::cos(angle), radius * std::sin(angle), 0},
+                                    {},
+                                    {0, 0, 1},
+                                    sweep == 0 ? angle : sweep}})
+            .text;
+    };
+    EXPECT_EQ(arc(0.0004, 0), "G0 X10 Y0 Z0\n") << "nothing moves there";
+    EXPECT_EQ(arc(0.0014, 0), "G0 X10 Y0 Z0\nG3 Y0.001 I-10 J0\n");
+    EXPECT_EQ(arc(0.0004, 0.0004 / 10 - geom::full_turn), "G0 X10 Y0 Z0\nG2 I-10 J0\n") << "nearly a full turn is one";
+    EXPECT_EQ(arc(0, geom::full_turn), "G0 X10 Y0 Z0\nG3 I-10 J0\n");
+    EXPECT_EQ(arc(0.0007, 0, 0.0004).find('I'), std::string::npos) << "its centre is its start there";
+}
+
+TEST(Writer, EveryDecimalIsOneOfTheControl) {
+    const std::string text = "[numbers]\nincrement = 0.001\nlength = { increments = true }\n" + std::string(small);
+    const std::vector<cl::Step> line{cl::Linear{{1.23456, 0, 0}, {0, 0, 1}, true}};
+    EXPECT_EQ(write(post_of(text), line).text, "G0 X1.235 Y0 Z0\n");
+    Post finer = post_of(text);
+    count_in(finer, 0.0001);
+    EXPECT_EQ(write(finer, line).text, "G0 X1.2346 Y0 Z0\n");
+    EXPECT_EQ(write(post_of("extends = \"fanuc\"\n[numbers]\nlength = { decimals = 2 }\n"), line).text.find("1.235"),
+              std::string::npos)
+        << "decimals stand in the place of increments";
+    EXPECT_EQ(faults_of("[numbers]\nincrement = 0.002\n"),
+              "2: 'increment' is 1 mm or a decimal part of it (0.001, 0.0001)\n");
+}
+
 }  // namespace
 }  // namespace obrys::write

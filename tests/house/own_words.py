@@ -72,6 +72,7 @@ OF_ONE = {
     "G94 and G95 end the constant": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # G96
     "write G96 behind them": ["sinumerik", "linuxcnc", "fanuc", "haas"],
     "L (orientation of a lathe tool)": ["linuxcnc"],  # G41.1 L
+    "end radius compensation (R0)": ["heidenhain"],  # a pole outside of the working plane (CC X Z)
     "write G40 before it": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # Traits::compensation_holds_plane, compensation_holds_move
     "G4 says neither": ["sinumerik", "linuxcnc", "fanuc", "haas"],  # cycle 9 of HEIDENHAIN is another statement
     "the dwell of G4": ["sinumerik", "linuxcnc", "fanuc", "haas"],
@@ -114,6 +115,7 @@ OF_ONE = {
     "bit CCV of parameter": ["fanuc"],  # of the table that Haas has another one for
     "bit TOS of parameter": ["fanuc"],  # Traits::length_word_setting
     "bit CCC of parameter": ["fanuc"],  # Traits::outer_corner_setting
+    "bit LRP of parameter": ["fanuc"],  # Traits::rapids
     "bit CIR of parameter": ["fanuc"],
     " does not apply: this control begins with radii": ["linuxcnc"],
     "write G7 in the program": ["linuxcnc"],

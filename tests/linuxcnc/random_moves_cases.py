@@ -7,5 +7,4 @@ KNOWN = (
     (r"'[^']*\$\d", "obrys says that a second spindle is not run and goes on; LinuxCNC refuses the line"),
     (r"'Cannot use axis values without a g code", "a length offset beside the axis words is set before obrys refuses the block, not by LinuxCNC"),
     (r"feeds along the wrong axes, and a line leads", "G84 in G18 or G19 leaves LinuxCNC elsewhere than it believes; the stream leads from there to where it begins the arc behind"),
-    (r"a break out of a while stands before", "LinuxCNC's issue 1307: a do behind a break is run once; obrys repeats it and says so"),
 )

@@ -51,8 +51,8 @@ def groove(obrys, folder, main, more, name):
     text = (folder / main).read_text(encoding="latin-1")
     job = folder / f"{name}.toml"
     job.write_text(JOB.format(program=main, control="sinumerik-840d", more=more))
-    for to in ("fanuc", "haas"):
-        translate(obrys, job, to, folder / f"{name}_{to}.nc")
+    for to, suffix in (("fanuc", "nc"), ("haas", "nc"), ("linuxcnc", "ngc")):
+        translate(obrys, job, to, folder / f"{name}_{to}.{suffix}")
     (folder / main).write_text(without_cutting_speed(text), encoding="latin-1")
     klartext = folder / f"{name}.H"
     translate(obrys, job, "heidenhain-itnc530", klartext)

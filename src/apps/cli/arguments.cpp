@@ -68,6 +68,7 @@ Arguments parse(int argc, char** argv) {
                 : c.translate->parsed() ? Command::translate
                 : c.compare->parsed()   ? Command::compare
                 : c.sheet->parsed()     ? Command::sheet
+                : c.time->parsed()      ? Command::time
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

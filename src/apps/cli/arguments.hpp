@@ -13,7 +13,7 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, post, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, post, version };
 
 struct Arguments {
     Command command = Command::none;
@@ -39,20 +39,23 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
-    std::string to;                ///< of translate: a post or a control
-    bool keep = false;             ///< of translate: statement by statement
-    int sets = 3;                  ///< of translate --keep: how many sets of other values are run
-    std::string ledger;            ///< of translate: written (.json, .html, else text); of compare: read
-    bool into_folder = false;      ///< of translate: `output` is one, whose files are known later
-    bool accept_loss = false;      ///< of translate: write also what lacks something
-    std::string since;             ///< of sheet: an older one (.json)
-    bool job = false;              ///< of sheet: all programs together, too
-    std::vector<std::string> map;  ///< of compare: "R3=Q3"
-    std::string other;             ///< of compare: what `request.input` is held against
-    std::string job_file;          ///< of compare: for both programs
-    double same_place = 1e-4;      ///< of compare, mm
-    bool in_place = false;         ///< of fmt: write the files
-    bool only_check = false;       ///< of fmt: say what would change
+    std::string to;                     ///< of translate: a post or a control
+    bool keep = false;                  ///< of translate: statement by statement
+    int sets = 3;                       ///< of translate --keep: how many sets of other values are run
+    std::string ledger;                 ///< of translate: written (.json, .html, else text); of compare: read
+    bool into_folder = false;           ///< of translate: `output` is one, whose files are known later
+    bool accept_loss = false;           ///< of translate: write also what lacks something
+    std::vector<std::string> variants;  ///< of time: "tolerance=0.01,0.05"
+    std::size_t lines = 10;             ///< of time: how many of the slowest
+    std::string since;                  ///< of sheet: an older one (.json)
+    bool job = false;                   ///< of sheet: all programs together, too
+    std::vector<std::string> map;       ///< of compare: "R3=Q3"
+    std::string other;                  ///< of compare: what `request.input` is held against
+    std::string control_a, control_b;   ///< of compare: of one of both alone
+    std::string job_file;               ///< of compare: for both programs
+    double same_place = 1e-4;           ///< of compare, mm
+    bool in_place = false;              ///< of fmt: write the files
+    bool only_check = false;            ///< of fmt: say what would change
     int exit = -1;  ///< 0 … : the program ends here with this code (help was printed, or the call is wrong)
 };
 

@@ -34,7 +34,7 @@ interp::Outcome print_stream(const Arguments& a, driver::Session& s, driver::Out
         driver::CsvWriter writer(s.sources, write);
         return driver::interpret(s, writer);
     }
-    if (a.request.canon)
+    if (a.request.stand_alone)
         return driver::print_canon(s, write, !a.request.configuration.empty(), [](const cl::Record&) {});
     if (a.format == "json") {
         driver::JsonWriter writer(s.sources, write);

@@ -51,8 +51,10 @@ std::optional<driver::NameMap> name_map(const Arguments& a) {
 }
 
 /// What both mean with a job for both: its tools, stock and zeros, and the program in the place of its own.
-driver::Request request_of(const Arguments& a, const std::string& input, const driver::NameMap& map) {
+driver::Request request_of(const Arguments& a, const std::string& input, const std::string& control,
+                           const driver::NameMap& map) {
     driver::Request r = a.request;
+    if (!control.empty()) r.control = control;
     r.input = a.job_file.empty() ? input : a.job_file;
     r.program = a.job_file.empty() ? "" : input;
     r.set = driver::mapped(a.request.set, map);
@@ -82,9 +84,11 @@ bool deliver_picture(const Arguments& a, const Compared& c, const driver::Compar
 }
 
 /// What the exit code says; what is said otherwise (zeros, cycles) makes no difference to the machine.
-std::string verdict_line(int code, bool same) {
+std::string verdict_line(int code, bool same, bool stops_alone) {
     if (code == 3)
-        return std::string("not fully compared: something of either was not understood or not run") +
+        return std::string("not fully compared: ") +
+               (stops_alone ? "one stops exactly at blocks (G9) where the other does not"
+                            : "something of either was not understood or not run") +
                (same ? "\n" : "; what was compared differs\n");
     return same ? "the machine does the same\n" : "the machine does not do the same\n";
 }
@@ -94,7 +98,8 @@ std::string verdict_line(int code, bool same) {
 int compare(const Arguments& arguments) {
     const auto map = name_map(arguments);
     if (!map) return 2;
-    Side a{request_of(arguments, arguments.request.input, {})}, b{request_of(arguments, arguments.other, *map)};
+    Side a{request_of(arguments, arguments.request.input, arguments.control_a, {})},
+        b{request_of(arguments, arguments.other, arguments.control_b, *map)};
     open_side(arguments, arguments.request.input, a);
     open_side(arguments, arguments.other, b);
     if (!a.is_open || !b.is_open) return 2;
@@ -109,10 +114,15 @@ int compare(const Arguments& arguments) {
     if (code_a == 2 || code_b == 2) return 2;
     c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request}, c.moves, tolerance.length);
     // Of a run that an alarm has ended nothing behind it is compared.
-    c.is_full = code_a == 0 && code_b == 0 && !c.stock.is_missed;
+    c.block_stops_a = driver::block_stops(a.session), c.block_stops_b = driver::block_stops(b.session);
+    const bool same_stops = c.block_stops_a == c.block_stops_b;
+    const bool is_run = code_a == 0 && code_b == 0 && !c.stock.is_missed;
+    c.is_full = is_run && same_stops;
     const int code = !c.is_full ? 3 : does_the_same(c) ? 0 : 1;
     driver::OutputFile out(arguments.output);
-    out.write(arguments.format == "json" ? compared_json(c) : compared_text(c) + verdict_line(code, does_the_same(c)));
+    out.write(arguments.format == "json"
+                  ? compared_json(c)
+                  : compared_text(c) + verdict_line(code, does_the_same(c), is_run && !same_stops));
     if (!deliver(arguments.output, out)) return 2;
     return deliver_picture(arguments, c, {a.session, a.request}, {b.session, b.request}) ? code : 2;
 }

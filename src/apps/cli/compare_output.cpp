@@ -87,6 +87,9 @@ std::string compared_text(const Compared& c) {
         const auto aspect = static_cast<compare::Aspect>(i);
         out += std::string(compare::name_of(aspect)) + ": " + of_aspect(c, aspect) + "\n";
     }
+    if (c.block_stops_a + c.block_stops_b > 0)
+        out += "exact stop of single blocks (G9): not compared: " + std::to_string(c.block_stops_a) + " in A, " +
+               std::to_string(c.block_stops_b) + " in B\n";
     return out + "stock: " + of_stock(c.stock) + "\n";
 }
 
@@ -105,6 +108,8 @@ std::string compared_json(const Compared& c) {
     out["moves"] = {{"a", r.moves_a}, {"b", r.moves_b}};
     out["compared_moves"] = r.looked_to.value_or(r.moves_a);
     out["stock"] = json_of(c.stock);
+    if (c.block_stops_a + c.block_stops_b > 0)
+        out["exact_stops"] = {{"compared", false}, {"a", c.block_stops_a}, {"b", c.block_stops_b}};
     out["differences"] = Json::array();
     for (const compare::Difference& d : r.first)
         out["differences"].push_back({{"aspect", compare::name_of(d.aspect)},

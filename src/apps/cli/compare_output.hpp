@@ -14,7 +14,8 @@ struct Compared {
     const driver::Session &a, &b;
     compare::Result moves;
     driver::StockComparison stock;
-    bool is_full = true;  ///< both were understood and run as a whole
+    bool is_full = true;                               ///< both were understood and run as a whole
+    std::size_t block_stops_a = 0, block_stops_b = 0;  ///< G9, which nobody compares
 };
 
 /// The machine does the same, as far as that was compared.

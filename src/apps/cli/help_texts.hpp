@@ -70,7 +70,8 @@ inline constexpr const char* translate_help =
 inline constexpr const char* compare_help =
     "Runs two programs, of any controls, and says whether they make the machine do the same: the same way of the "
     "tool,\n"
-    "feed, spindle, coolant, tools and stops, and what is left of the stock; and whether they say it the same way: zero points, frames, cycles,\n"
+    "feed, spindle, coolant, tools and stops, and what is left of the stock; and whether they say it the same way: "
+    "zero points, frames, cycles,\n"
     "compensation. Texts of the CL stream (obrys run) are read, too.\n\n"
     "Examples:\n"
     "  obrys compare PART.H PART.nc\n"
@@ -107,6 +108,20 @@ inline constexpr const char* sheet_help =
     "  obrys sheet part.job.toml -o part.json; obrys sheet part.job.toml --since part.json\n\n"
     "Exit codes: 0 made, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
+
+inline constexpr const char* time_help =
+    "Estimates how long the machine takes for a program: speeds, accelerations and jerk of its axes, corners within "
+    "the\n"
+    "tolerance, look-ahead, block rate, exact stops, dwells, spindle and tool changes. Each second has one cause. What "
+    "the\n"
+    "machine file does not say is assumed and listed (docs/time.md).\n\n"
+    "Examples:\n"
+    "  obrys time PART.H --machine mill.toml\n"
+    "  obrys time part.job.toml --compare tolerance=0.01,0.05\n"
+    "  obrys time PART.MPF --format json -o times.json\n\n"
+    "Exit codes: 0 timed, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable "
+    "input,\n"
+    "3 something was not understood, or its feed is not known: not fully timed.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"

@@ -162,7 +162,7 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->type_name("FILE");
     translate->add_flag("--accept-loss", a.accept_loss, "write the program also where something is lost or differs");
     add_same_place(*translate, a);
-    translate->callback([&a] { a.request.canon = a.to == "canon"; });  // whose calls tell settings, too
+    translate->callback([&a] { a.request.stand_alone = a.to == "canon"; });  // whose calls are those of rs274
     auto* keep = translate->add_flag(
         "--keep", a.keep, "statement by statement: parameters, expressions, branches, loops and subprograms stay");
     translate->add_option("--sets", a.sets, "--keep: prove it with so many sets of other values, too (3)")
@@ -197,6 +197,10 @@ CLI::App* add_compare(CLI::App& app, Arguments& a) {
         ->type_name("A=B")
         ->allow_extra_args(false)
         ->take_all();
+    const std::string controls = shop::joined(driver::controls());
+    compare->add_option("--control-a", a.control_a, "control of the first program alone: " + controls)
+        ->type_name("NAME");
+    compare->add_option("--control-b", a.control_b, "control of the other one alone")->type_name("NAME");
     compare->add_option("--ledger", a.ledger, "the same for all of them: what translate --keep has written beside B")
         ->type_name("FILE");
     return compare;
@@ -217,6 +221,23 @@ CLI::App* add_sheet(CLI::App& app, Arguments& a) {
     sheet->add_flag("--job", a.job, "first one list of tools and one time for all programs together");
     sheet->add_option("--since", a.since, "also what differs from this older sheet (.json)")->type_name("FILE");
     return sheet;
+}
+
+CLI::App* add_time(CLI::App& app, Arguments& a) {
+    CLI::App* time = app.add_subcommand("time", time_help);
+    time->add_option("input", a.request.input, "a program (.MPF, .SPF, .H, .I, .ngc) or a job file (.toml)")
+        ->required()
+        ->type_name("FILE");
+    add_request(*time, a);
+    time->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
+    time->add_option("--lines", a.lines, "how many of the slowest lines (10)")->type_name("N");
+    time->add_option("--compare", a.variants,
+                     "also the time with other values of the machine: tolerance=0.01,0.05 (mm), acceleration (mm/s2), "
+                     "jerk (mm/s3), block_time (s), look_ahead (blocks), corner=exact-stop,filter,blend")
+        ->type_name("NAME=VALUE,…")
+        ->allow_extra_args(false)
+        ->take_all();
+    return time;
 }
 
 }  // namespace
@@ -262,7 +283,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     auto* format = c.run->add_option("--format", a.format, "text, csv or json")
                        ->check(only({"text", "csv", "json"}))
                        ->type_name("FORMAT");
-    c.run->add_flag("--canon", a.request.canon, "print LinuxCNC's canonical calls instead of the moves")
+    c.run->add_flag("--canon", a.request.stand_alone, "print LinuxCNC's canonical calls instead of the moves")
         ->excludes(format);
     c.run->add_flag("-q,--quiet", a.quiet, "print one line of counts instead of the moves");
     c.run->add_flag("--parameters", a.parameters, "print the numbered parameters at the end instead of the moves");
@@ -285,6 +306,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.translate = add_translate(app, a);
     c.compare = add_compare(app, a);
     c.sheet = add_sheet(app, a);
+    c.time = add_time(app, a);
     c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
@@ -292,7 +314,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

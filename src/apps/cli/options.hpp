@@ -15,6 +15,7 @@ struct Commands {
     CLI::App* translate;
     CLI::App* compare;
     CLI::App* sheet;
+    CLI::App* time;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;

@@ -24,10 +24,11 @@ void print(const driver::Settled& settled, const write::Post& post) {
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s\n",
+        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     proved.feeds_rounded ? ", feeds as their words hold them" : "");
+                     of_increments(proved).c_str(), proved.feeds_rounded ? ", feeds as their words hold them" : "",
+                     proved.speeds_rounded ? ", speeds as their words hold them" : "");
 }
 
 report::Ledger ledger_of(const driver::Session& s, const driver::Translated& t, const write::Post& post,
@@ -53,12 +54,12 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
     print(settled, post);
     print_diagnostics(s);
-    const int run = driver::exit_code_of_run(s);
+    const int run = driver::exit_code_of_translation(s);
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;
     report::Ledger ledger = ledger_of(s, t, post, target, proof, run);
     ledger.written = !refused && run != 2;
     if (shows_texts(a.ledger)) {
-        std::vector<driver::WrittenFile> outputs{{ledger.output, t.text}};
+        std::vector<driver::WrittenFile> outputs{{ledger.output, *t.text}};
         outputs.insert(outputs.end(), t.files.begin(), t.files.end());
         add_texts(ledger, t.ledger, s, std::move(outputs));
     }
@@ -66,8 +67,7 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     if (refused)
         std::fputs("obrys: nothing is written, since something is lost or differs; --accept-loss writes it\n", stderr);
     if (!may_write_all(a, s, target, t, a.ledger)) return 2;
-    const bool written = (!ledger.written || deliver_all(target, t)) && deliver_ledger(a.ledger, ledger);
-    if (!written || (s.files != nullptr && s.files->failed()) || run == 2) return 2;
+    if (!deliver_all(target, t, a.ledger, ledger) || (s.files != nullptr && s.files->failed()) || run == 2) return 2;
     if (refused) return 1;
     return run == 3 || proof.proof == driver::Proof::not_compared ? 3 : run == 1 || lost ? 1 : 0;
 }
@@ -87,6 +87,7 @@ static bool opened(const Arguments& a, driver::Session& s) {
 int translate(const Arguments& arguments) {
     Arguments a = arguments;
     a.into_folder = is_folder(a.output);
+    a.request.keeps_remarks = a.to != "canon";
     driver::Session s;
     if (!opened(a, s)) return 2;
     const std::optional<write::Post> post =
@@ -103,7 +104,7 @@ int translate(const Arguments& arguments) {
         std::fputs("obrys: --keep writes statements, neither staircases nor punched tape: leave it out\n", stderr);
         return 2;
     }
-    const std::string name = program_name(s.program);
+    const std::string name = driver::said_name_in(*post, program_name(s.program), s);
     return a.keep ? translate_kept(s, *post, a, name) : translate_by_motion(s, *post, a, name);
 }
 

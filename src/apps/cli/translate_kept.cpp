@@ -1,8 +1,10 @@
 #include "translate_kept.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "driver/keep.hpp"
 #include "session.hpp"
 #include "translated.hpp"
@@ -38,7 +40,10 @@ driver::Proof proved_with_all(driver::Session& s, const driver::Kept& kept, cons
         const bool first = set.empty();
         if (p.run != nullptr && p.proof != driver::Proof::same && first)
             print_diagnostics(*p.run, base::Severity::warning);
-        std::fprintf(stderr, "%s: %zu moves, %s%s%s\n", verdict_of(p), p.moves,
+        std::string within;
+        if (p.increment > 0)
+            within = "within " + base::shortest(std::round(p.within * 1e7) / 1e7) + " mm" + of_increments(p) + ", ";
+        std::fprintf(stderr, "%s: %zu moves, %s%s%s%s\n", verdict_of(p), p.moves, within.c_str(),
                      set.empty() ? "with the program's own values" : listed(set).c_str(), what.empty() ? "" : ": ",
                      what.c_str());
         if (!p.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", p.why_not.c_str());
@@ -74,7 +79,7 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
     }
     const bool refused = (lost || proof == driver::Proof::differs) && !a.accept_loss;
     print_diagnostics(s);
-    const int run = driver::exit_code_of_run(s);
+    const int run = driver::exit_code_of_translation(s);
     report::Ledger ledger = driver::ledger(s, kept, name_of(target), runs);
     ledger.post = post.name.empty() ? post.title : post.name;
     ledger.post_control = post.control;
@@ -87,8 +92,7 @@ int translate_kept(driver::Session& s, const write::Post& post, const Arguments&
     const bool beside = a.ledger.empty() && ledger.written && !driver::is_standard_output(target.main);
     const std::string path = beside ? driver::ledger_beside(target.main) : a.ledger;
     if (!may_write_all(a, s, target, kept.translated, path)) return 2;
-    const bool written = (!ledger.written || deliver_all(target, kept.translated)) && deliver_ledger(path, ledger);
-    if (!written || s.files->failed() || run == 2) return 2;
+    if (!deliver_all(target, kept.translated, path, ledger) || s.files->failed() || run == 2) return 2;
     if (refused) return run == 3 ? 3 : 1;
     return run == 3 ? 3 : std::max({run, code_of(proof), lost ? 1 : 0});
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "milled.hpp"
 
 namespace obrys::cli {
@@ -32,16 +33,51 @@ bool may_write_all(const Arguments& a, const driver::Session& s, const Target& t
     return refused.empty();
 }
 
-/// Each of them whole before any of them stands in its place.
-bool deliver_all(const Target& target, const driver::Translated& t) {
-    std::vector<std::pair<std::string, std::unique_ptr<driver::OutputFile>>> files;
+namespace {
+
+struct Document {
+    std::string path, text;
+    std::unique_ptr<driver::OutputFile> file;
+};
+
+/// Each of them whole before any of them stands in its place. Standard output, which cannot be taken back, is the first
+/// that gets its own, when nothing else can fail any more.
+bool deliver_all(std::vector<Document> all) {
+    const auto goes_out = [](const Document& d) { return driver::is_standard_output(d.path); };
+    std::stable_partition(all.begin(), all.end(), goes_out);
+    bool good = true;
+    for (Document& d : all) {
+        d.file = std::make_unique<driver::OutputFile>(d.path);
+        if (goes_out(d)) continue;
+        d.file->write(d.text);
+        if (!d.file->flush()) good = deliver(d.path, *d.file);  // which says why
+    }
+    for (Document& d : all) {
+        if (good && goes_out(d)) d.file->write(d.text);
+        good = good && deliver(d.path, *d.file);
+    }
+    return good;
+}
+
+std::string ledger_text(const std::string& path, const report::Ledger& ledger) {
+    return path.ends_with(".json") ? report::ledger_json(ledger)
+           : shows_texts(path)     ? report::ledger_html(ledger)
+                                   : report::ledger_text(ledger);
+}
+
+}  // namespace
+
+bool deliver_all(const Target& target, const driver::Translated& t, const std::string& ledger_path,
+                 const report::Ledger& ledger) {
+    std::vector<Document> all;
     const auto add = [&](const std::string& path, const std::string& text) {
-        files.emplace_back(path, std::make_unique<driver::OutputFile>(path));
-        files.back().second->write(t.tape == write::Tape::none ? text : write::punched(text, t.tape));
+        all.push_back({path, t.tape == write::Tape::none ? text : write::punched(text, t.tape), nullptr});
     };
-    add(target.main, t.text);
-    for (const driver::WrittenFile& file : t.files) add(target.of(file.name), file.text);
-    return std::all_of(files.begin(), files.end(), [](const auto& f) { return deliver(f.first, *f.second); });
+    if (ledger.written) add(target.main, *t.text);
+    if (ledger.written)
+        for (const driver::WrittenFile& file : t.files) add(target.of(file.name), file.text);
+    if (!ledger_path.empty()) all.push_back({ledger_path, ledger_text(ledger_path, ledger), nullptr});
+    return deliver_all(std::move(all));
 }
 
 std::string name_of(const Target& target) {
@@ -50,11 +86,9 @@ std::string name_of(const Target& target) {
 
 bool shows_texts(const std::string& ledger) { return ledger.ends_with(".html"); }
 
-bool deliver_ledger(const std::string& path, const report::Ledger& ledger) {
-    if (path.empty()) return true;
-    return deliver(path, path.ends_with(".json") ? report::ledger_json(ledger)
-                         : shows_texts(path)     ? report::ledger_html(ledger)
-                                                 : report::ledger_text(ledger));
+std::string of_increments(const driver::Proved& p) {
+    if (p.increment == 0) return "";
+    return " (the control counts in increments of " + base::shortest(p.increment) + " mm)";
 }
 
 const char* verdict_of(const driver::Proved& p) {

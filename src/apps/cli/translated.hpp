@@ -24,13 +24,15 @@ struct Target {
 /// Whether all the files may be written, now that they are known. False: it has been said.
 [[nodiscard]] bool may_write_all(const Arguments& a, const driver::Session& s, const Target& target,
                                  const driver::Translated& t, const std::string& ledger);
-/// Each of them whole before any of them stands in its place.
-[[nodiscard]] bool deliver_all(const Target& target, const driver::Translated& t);
+/// The program with its subprograms, where it is written, and the ledger, where it has a name: JSON, HTML or text by
+/// that. All of them whole before any of them stands in its place; false: none does, and why has been said.
+[[nodiscard]] bool deliver_all(const Target& target, const driver::Translated& t, const std::string& ledger_path,
+                               const report::Ledger& ledger);
 /// The ledger of this name is a page, which shows the texts beside it.
 [[nodiscard]] bool shows_texts(const std::string& ledger);
-/// JSON, HTML or text by the name of the file; an empty one is none.
-[[nodiscard]] bool deliver_ledger(const std::string& path, const report::Ledger& ledger);
 
+/// " (the control counts in increments of 0.001 mm)"; empty where it takes places as they are written.
+[[nodiscard]] std::string of_increments(const driver::Proved& p);
 [[nodiscard]] const char* verdict_of(const driver::Proved& proved);
 
 }  // namespace obrys::cli

@@ -45,6 +45,7 @@ struct QueuedPass {
     double low = 0;           ///< height of the tip along the axis, the lower end of the way
     geom::Vec3 axis;          ///< unit vector
     bool down = false;        ///< straight down along it
+    bool if_bent = false;     ///< of the way that the move takes only where its rapid bends
 };
 
 /// Straight down along the axis all the way: a full turn of a helix ends below its start, too.
@@ -102,10 +103,12 @@ private:
     [[nodiscard]] std::uint32_t bar_of(double radius);
     void queue_bar(const geom::Straight& way, const MilledMove& move);
     void queue_cutting(const geom::PathElement& element, const MilledMove& move, bool feed);
-    [[nodiscard]] bool holder_is_above(const geom::PathElement& element) const;
+    [[nodiscard]] bool is_above(const geom::PathElement& element, double height) const;
     void queue_clamps(const geom::PathElement& element);
     void queue_rapid(const Move& move, const MilledMove& m, const geom::PathElement& way,
                      const motion::Stand::View& view, const std::vector<shop::ToolPose>& swing);
+    void queue_if_bent(geom::Vec3 from, const std::vector<geom::Vec3>& corners);
+    void queue_body(const geom::PathElement& element);
     [[nodiscard]] double seconds_of(const Move& move, double way) const;
     void keep_technology(const Move& move, double way, MilledMove& m) const;
     void keep_points(const Move& move, MilledMove& m);
@@ -124,6 +127,7 @@ private:
     [[nodiscard]] Reach deepest_reach(std::size_t queued) const;
     [[nodiscard]] std::optional<sim::certify::Depth> deepest_in_part(std::size_t queued) const;
     void judge(std::size_t queued);
+    void judge_if_bent(std::size_t queued);
     void say_undecided(std::size_t queued);
     [[nodiscard]] std::string open_of(const QueuedPass& pass) const;
     void judge_reach(const QueuedPass& pass, const MilledMove& move, Reach reach,
@@ -230,6 +234,7 @@ private:
     std::optional<geom::Vec3> edge_leaves_;                           ///< to where, by the program's own way
     geom::Vec3 stopped_at_;                                           ///< the tip then
     std::map<std::pair<std::uint32_t, double>, std::uint32_t> bars_;  ///< by tool in the simulation and radius
+    bool if_bent_ = false;                                            ///< what is queued is a way that a rapid may take
     bool tool_ready_ = false, complete_ = true, memory_full_ = false, whole_ = true, stopped_reported_ = false;
     std::optional<geom::Vec3> tap_bottom_;  ///< where a tap has stopped in its thread
     std::optional<geom::Vec3> tap_mouth_;   ///< where it set out into it

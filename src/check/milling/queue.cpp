@@ -60,16 +60,38 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const geom::Pat
     }
     axis_ = axis;
     if (!swing.empty()) return;
-    // The corners are those of the machine's axes.
-    const bool swivelled = !(view.frame == geom::Frame{}) || geom::distance(view.axis, {0, 0, 1}) > 1e-9;
-    if (setup_.machine.rapid_path == shop::RapidPath::dog_leg && swivelled)
-        out_.unchecked(move.record, "rapids that bend are simulated straight while the rotary axes are swivelled");
+    const geom::Straight straight{move.from, move.to};
+    const shop::RapidPath path = rapid_path(setup_);
+    if (path == shop::RapidPath::straight) return queue(straight, m, false);
+    if (!are_square(view.linear)) {
+        out_.unchecked(move.record, "rapids that may bend are simulated straight while the rotary axes are swivelled");
+        return queue(straight, m, false);
+    }
+    const std::vector<geom::Vec3> corners = corners_of_rapid(setup_.machine, view.linear, move.from, move.to);
+    if (corners.size() == 1) return queue(straight, m, false);
+    if (path == shop::RapidPath::either) {
+        if (!leaves_the_wall(straight)) queue_if_bent(move.from, corners);
+        return queue(straight, m, false);
+    }
+    if (!setup_.machine.rapid_path) out_.assumption(bent_as_delivered(setup_), move.record.from);
     geom::Vec3 from = move.from;
-    for (const geom::Vec3& to :
-         swivelled ? std::vector{move.to} : corners_of_rapid(setup_.machine, move.from, move.to)) {
+    for (const geom::Vec3& to : corners) {
         queue(geom::Straight{from, to}, m, false);
         from = to;
     }
+}
+
+/// What the move would meet on its bent way; it takes nothing away.
+void Milling::queue_if_bent(geom::Vec3 from, const std::vector<geom::Vec3>& corners) {
+    if_bent_ = true;
+    for (const geom::Vec3& to : corners) {
+        const geom::Straight way{from, to};
+        from = to;
+        if (clamps_.empty() && is_above(way, 0)) continue;
+        queue_pass(QueuedPass::Kind::rapid_probe, milling::Part::cutting, false, way);
+        queue_body(way);
+    }
+    if_bent_ = false;
 }
 
 namespace {
@@ -149,8 +171,13 @@ void Milling::queue(const geom::PathElement& element, const MilledMove& move, bo
         queue_bar(*way, move);
     else
         queue_cutting(element, move, feed);
+    queue_body(element);
+}
+
+/// What does not cut, and all of the tool against the clamps.
+void Milling::queue_body(const geom::PathElement& element) {
     if (tool_parts_.shank) queue_pass(QueuedPass::Kind::shank, milling::Part::shank, false, element);
-    if (tool_parts_.holder && !holder_is_above(element))
+    if (tool_parts_.holder && !is_above(element, tool_parts_.holder_from))
         queue_pass(QueuedPass::Kind::holder, milling::Part::holder, false, element);
     queue_clamps(element);
 }
@@ -187,14 +214,15 @@ void Milling::queue_cutting(const geom::PathElement& element, const MilledMove& 
     }
 }
 
-/// Above all that there is, wherever the straight or level way leads: nothing to look for.
-bool Milling::holder_is_above(const geom::PathElement& element) const {
+/// What of the tool begins so high above its tip is above all that there is, wherever the straight or level way leads:
+/// nothing to look for.
+bool Milling::is_above(const geom::PathElement& element, double height) const {
     const geom::Vec3 from = geom::point_at(element, 0), to = geom::point_at(element, 1);
     const auto* circle = std::get_if<geom::Circular>(&element);
     const double size = geom::length(axis_);
     const bool level = circle != nullptr && geom::length(geom::cross(circle->normal, axis_)) <= 1e-12 * size;
     if (!level && !std::holds_alternative<geom::Straight>(element)) return false;
-    const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + tool_parts_.holder_from;
+    const double low = std::min(geom::dot(from, axis_), geom::dot(to, axis_)) / size + height;
     return milling::heights_along(axis_, {all_.lo, all_.hi}).high / size < low;
 }
 
@@ -219,6 +247,7 @@ void Milling::queue_pass(QueuedPass::Kind kind, milling::Part part, bool cut, co
     q.kind = kind;
     q.move = static_cast<std::uint32_t>(moves_.size() - 1);
     q.pass = passes_++;
+    q.if_bent = if_bent_;
     q.low = std::min(geom::dot(geom::point_at(element, 0), axis_), geom::dot(geom::point_at(element, 1), axis_));
     q.axis = axis_;
     q.down = leads_down(element, axis_);
@@ -241,6 +270,7 @@ void Milling::queue_clamps(const geom::PathElement& element) {
             q.kind = kind;
             q.move = static_cast<std::uint32_t>(moves_.size() - 1);
             q.clamp = static_cast<std::uint32_t>(i + 1);
+            q.if_bent = if_bent_;
             q.pass = static_cast<std::uint32_t>(c.simulation.engagements().size() - 1);
             q.low = low;
             q.axis = axis_;

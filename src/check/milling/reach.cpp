@@ -6,6 +6,7 @@
 #include "base/codes.hpp"
 #include "check/milling/milling.hpp"
 #include "check/milling_tool.hpp"
+#include "check/touching/rapid_way.hpp"
 #include "check/words.hpp"
 
 namespace obrys::check {
@@ -13,6 +14,15 @@ namespace obrys::check {
 namespace certify = sim::certify;
 namespace codes = base::codes;
 namespace milling = sim::milling;
+
+namespace {
+
+/// The same part of a tool along the same of the move's ways, against the same thing.
+bool is_alike(const QueuedPass& a, const QueuedPass& b) {
+    return a.kind == b.kind && a.clamp == b.clamp && a.if_bent == b.if_bent;
+}
+
+}  // namespace
 
 bool Milling::assumed_body(const MilledMove& move) const {
     const auto listed = out_.result().tools[move.tool - 1].listed;
@@ -60,7 +70,7 @@ Milling::Reach Milling::deepest_reach(std::size_t queued) const {
     const QueuedPass& pass = queued_[queued];
     Reach deepest;
     for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
-        if (queued_[i].kind != pass.kind || queued_[i].clamp != pass.clamp) continue;
+        if (!is_alike(queued_[i], pass)) continue;
         const Reach reach = reach_of(queued_[i]);
         if (reach.depth > deepest.depth) deepest = reach;
     }
@@ -87,7 +97,7 @@ std::optional<certify::Depth> Milling::deepest_in_part(std::size_t queued) const
     std::optional<certify::Depth> deepest;
     if (!part_guard_ || pass.clamp > 0 || pass.kind == QueuedPass::Kind::rapid_probe) return deepest;
     for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
-        if (queued_[i].kind != pass.kind || queued_[i].clamp != 0) continue;
+        if (!is_alike(queued_[i], pass)) continue;
         const auto hit = part_guard_->hit_by(queued_[i].pass);
         if (hit && (!deepest || hit->depth > deepest->depth)) deepest = hit;
     }
@@ -99,7 +109,8 @@ void Milling::judge(std::size_t queued) {
     if (pass.clamp == 0 && pass.kind == QueuedPass::Kind::cut) return judge_cut(pass, moves_[pass.move], met_by(pass));
     // Said once for a move, at the first of its parts.
     for (std::size_t i = queued; i > 0 && queued_[i - 1].move == pass.move; --i)
-        if (queued_[i - 1].kind == pass.kind && queued_[i - 1].clamp == pass.clamp) return;
+        if (is_alike(queued_[i - 1], pass)) return;
+    if (pass.if_bent) return judge_if_bent(queued);
     const Reach reach = deepest_reach(queued);
     const std::optional<certify::Depth> in_part = deepest_in_part(queued);
     if (!(reach.depth > setup_.tolerances.rapid) && !in_part) say_undecided(queued);
@@ -108,12 +119,32 @@ void Milling::judge(std::size_t queued) {
     if (reach.depth > setup_.tolerances.rapid) judge_reach(pass, moves_[pass.move], reach, {});
 }
 
+/// Of what the move meets only where its rapid bends nobody knows whether it does.
+void Milling::judge_if_bent(std::size_t queued) {
+    const QueuedPass& pass = queued_[queued];
+    const Reach reach = deepest_reach(queued);
+    if (!(reach.depth > setup_.tolerances.rapid)) return say_undecided(queued);
+    for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
+        const QueuedPass& q = queued_[i];
+        const bool same_part = q.kind == pass.kind && q.clamp == pass.clamp && !q.if_bent;
+        if (same_part && deepest_reach(i).depth > setup_.tolerances.rapid) return;  // it is found anyhow
+        if (same_part) break;
+    }
+    const MilledMove& move = moves_[pass.move];
+    const cl::Record record{cl::Linear{move.to, {0, 0, 1}, move.rapid}, move.where, move.stack};
+    const std::string into = pass.clamp > 0 ? "the clamp " + clamps_[pass.clamp - 1].name : "the stock";
+    out_.unchecked(record,
+                   met_if_bent(setup_, name_of(pass, move) + " runs into " + into + ": " + mm(reach.depth) +
+                                           " deep at " + point(reach.at)),
+                   say_rapid_way);
+}
+
 /// What was looked for without an end is no "clear".
 void Milling::say_undecided(std::size_t queued) {
     const QueuedPass& pass = queued_[queued];
     for (std::size_t i = queued; i < queued_.size() && queued_[i].move == pass.move; ++i) {
         const QueuedPass& q = queued_[i];
-        if (q.kind != pass.kind || q.clamp != pass.clamp) continue;
+        if (!is_alike(q, pass)) continue;
         const std::string what = open_of(q);
         if (what.empty()) continue;
         const MilledMove& move = moves_[pass.move];

@@ -292,6 +292,28 @@ TEST(Milling, ADogLegRapidMeetsWhatTheStraightOneMisses) {
     }
 }
 
+/// Where the machine file does not say which way a rapid goes, the one that nobody has asked for finds nothing, but the
+/// check is not called clean.
+TEST(Milling, ARapidThatMayBendIsNotCalledClear) {
+    for (const double corner : {-60.0, -160.0}) {
+        check::Setup s = face_setup();
+        s.rapids = {shop::RapidPath::either, "bit LRP of parameter 1401 = 0"};
+        const cl::CallStacks stacks;
+        Check check(std::move(s), stacks);
+        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
+        take(cl::ToolChange{1, 1, ""});
+        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
+        take(cl::Linear{{-40, corner, -5}, {0, 0, 1}, true});
+        take(cl::Linear{{corner < -100 ? -40.0 : 0.0, 100, -5}, {0, 0, 1}, true});
+        const Result r = check.finish();
+        EXPECT_TRUE(of(r, base::codes::rapid_in_stock).empty());
+        const bool said = std::any_of(r.unchecked.begin(), r.unchecked.end(), [](const Note& n) {
+            return n.text.find("bit LRP of parameter 1401 = 0") != std::string::npos;
+        });
+        EXPECT_EQ(said, corner > -100) << "along one axis nothing bends";
+    }
+}
+
 TEST(Milling, AMoveThatIsTooLongForTheToleranceIsNotCalledClean) {
     check::Setup s = with_part(face_setup(), 0);
     const cl::CallStacks stacks;

@@ -132,6 +132,27 @@ TEST(Stand, ACutIsTheSameToldOnTheWorkpieceAndInTheMachinesDirections) {
     EXPECT_EQ(unchecked(r), unchecked(q));
 }
 
+/// Its corners are those of the machine's axes, wherever the table has turned the workpiece.
+TEST(Stand, ABentRapidIsTheSameToldOnTheWorkpieceAndInTheMachinesDirections) {
+    constexpr double a = 25, c = 40;
+    const Vec3 from{-20, 20, 30}, to{80, 25, -6};
+    const auto volume_of = [&](shop::RapidPath path, bool counted) {
+        shop::Machine m = table();
+        m.rapid_path = path;
+        StandScript run(stand_setup(m));
+        run.take(cl::Datum{54, zero}).turn('A', a, counted).turn('C', c, counted);
+        for (const Vec3& p : {from, to})
+            run.go(counted ? p : in_machine(p, a, c), counted ? tool_axis(a, c) : Vec3{0, 0, 1}, true);
+        const Result r = run.check.finish();
+        EXPECT_EQ(r.unchecked.size(), 1U) << "no part";
+        return r.milled->figures.before_mm3 - r.milled->figures.after_mm3;
+    };
+    const double bent = volume_of(shop::RapidPath::dog_leg, true);
+    EXPECT_NEAR(volume_of(shop::RapidPath::dog_leg, false), bent, 1e-6 * bent + 1e-9);
+    const double straight = volume_of(shop::RapidPath::straight, true);
+    EXPECT_GT(std::abs(bent - straight), 1);
+}
+
 TEST(Stand, TravelIsJudgedThroughTheChain) {
     // By hand: A 90 turns the workpiece so that its -y side looks up; the pivot is 30, 20, -40 from the zero.
     shop::Machine m = table();

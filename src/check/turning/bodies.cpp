@@ -59,15 +59,54 @@ bool Removal::leaves_towards_home(const Move& move, const geom::Region& body) co
 
 /// The straight pieces of a rapid, the move itself of others.
 std::vector<sim::turning::Move> Removal::ways_of(const Move& move, shop::RapidPath path) const {
-    if (!move.rapid || path == shop::RapidPath::straight || !std::holds_alternative<cl::Linear>(move.record.step))
+    if (!move.rapid || path != shop::RapidPath::dog_leg || !std::holds_alternative<cl::Linear>(move.record.step))
         return {in_turning_plane(move)};
     std::vector<sim::turning::Move> ways;
-    geom::Vec3 from = move.from;
-    for (const geom::Vec3& to : corners_of_rapid(setup_.machine, move.from, move.to)) {
+    geom::Vec3 from{move.from.x, 0, move.from.z};
+    for (const geom::Vec3& to : corners_of_rapid(setup_.machine, upright_axes, from, {move.to.x, 0, move.to.z})) {
         ways.push_back({{from.z, from.x}, {to.z, to.x}, {}, 0});
         from = to;
     }
     return ways;
+}
+
+/// What a rapid would meet only where it bends; the machine file does not say whether it does.
+void Removal::judge_if_bent(const Move& move) {
+    if (!move.rapid || rapid_path(setup_) != shop::RapidPath::either || !is_known(move.from) || !is_known(move.to))
+        return;
+    const std::vector<sim::turning::Move> bent = ways_of(move, shop::RapidPath::dog_leg);
+    if (bent.size() < 2 || obstacle(move, Wants::place)) return;
+    const sim::turning::Move straight = in_turning_plane(move);
+    const auto say = [&](std::string_view what, const std::string& into, const Depth& d) {
+        out_.unchecked(move.record,
+                       met_if_bent(setup_, std::string(what) + " runs into " + into + ": " + mm(d.normal) +
+                                               " deep at " + point(d.deepest)),
+                       say_rapid_way);
+    };
+    const auto judge_body = [&](std::string_view what, const geom::Contour& body, const geom::Contour& across) {
+        if (body.vertices.empty()) return;
+        for (const ClampBody& clamp : clamps_)
+            for (const sim::turning::Move& way : bent)
+                if (const auto d = depth_in(clamp, body, way, across); d && !depth_in(clamp, body, straight, across)) {
+                    say(what, "the clamp " + clamp.name, *d);
+                    break;
+                }
+        if (misses(move)) return;
+        for (const sim::turning::Move& way : bent)
+            if (const auto d = depth_on_way(body, way, across); d && !depth_on_way(body, straight, across))
+                return say(what, "the stock", *d);
+    };
+    judge_body("tool", outline_, sure_);
+    for (const Carried& c : carried_) judge_body(name_of(c.kind), c.body, c.body);
+}
+
+/// How deep a body would go into what stands now, threads left out.
+std::optional<Depth> Removal::depth_on_way(const geom::Contour& body, const sim::turning::Move& way,
+                                           const geom::Contour& across) const {
+    geom::Region met = work_->met(body, way, across);
+    if (!met.empty() && !threads_.empty()) met = geom::subtract(met, threads_);
+    if (met.empty() || !(geom::area(met) > setup_.tolerances.rapid)) return std::nullopt;
+    return sim::turning::depth_inside(met, work_->region(), setup_.tolerances.rapid);
 }
 
 bool Removal::touches_stock(const sim::turning::Move& way) const {
@@ -91,7 +130,9 @@ void Removal::cut_along(const Move& move, Removed& r) {
         return cut_thread(move, in_turning_plane(move), *thread, r);
     sim::turning::Cut all;
     r.simulated = true;
-    for (const sim::turning::Move& way : ways_of(move, setup_.machine.rapid_path)) {
+    const std::vector<sim::turning::Move> ways = ways_of(move, rapid_path(setup_));
+    if (ways.size() > 1 && !setup_.machine.rapid_path) out_.assumption(bent_as_delivered(setup_), move.record.from);
+    for (const sim::turning::Move& way : ways) {
         Removed part;
         if (works_off_axis(move))
             pass_beside(move, way, part);
@@ -180,7 +221,7 @@ void Removal::judge_clamps(const Move& move) {
             judge_open_clamp(move, clamp);
             continue;
         }
-        for (const sim::turning::Move& way : ways_of(move, setup_.machine.rapid_path)) judge_clamp(move, clamp, way);
+        for (const sim::turning::Move& way : ways_of(move, rapid_path(setup_))) judge_clamp(move, clamp, way);
     }
 }
 

@@ -213,6 +213,7 @@ Removed Removal::take(const Move& move) {
     }
     if (work_) {
         judge_clamps(move);
+        judge_if_bent(move);
         const bool astray = is_astray(move);
         if (state_.any_tool && !astray && state_.change.edge == 0)
             out_.assumption(

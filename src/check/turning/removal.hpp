@@ -63,6 +63,10 @@ private:
     [[nodiscard]] Removed cut_open(const Move& move);
     void cut_along(const Move& move, Removed& r);
     void pass_beside(const Move& move, const sim::turning::Move& way, Removed& r);
+    void judge_if_bent(const Move& move);
+    [[nodiscard]] std::optional<sim::turning::Depth> depth_on_way(const geom::Contour& body,
+                                                                  const sim::turning::Move& way,
+                                                                  const geom::Contour& across) const;
     [[nodiscard]] bool touches_stock(const sim::turning::Move& way) const;
     [[nodiscard]] bool leaves_towards_home(const Move& move, const geom::Region& body) const;
     void judge(const Move& move, const sim::turning::Cut& cut);

@@ -36,6 +36,9 @@ inline constexpr std::array kept_parameters{program::KeptParameters{0, 1999, {},
 inline constexpr std::array spindle_stops{program::SpindleStop{0, false, true, true},
                                           program::SpindleStop{1, false, false}, program::SpindleStop{6}};
 
+/// M137 and M111: iTNC 530 User's Manual, overview of the M functions, "effective at block end" (m_functions.cpp).
+inline constexpr std::array modes_behind_motion{program::Modal::feed_per_minute, program::Modal::feed_at_tool};
+
 /// Parameters: iTNC 530 pilot (NC software 340 49x-07), Q Q0-Q1999, QL0-QL499 local, QR0-QR499. Equality: the control
 /// computes with a limited number of digits; two values that differ by less than 1e-9 count as equal (docs).
 inline constexpr program::Traits traits{
@@ -64,6 +67,7 @@ inline constexpr program::Traits traits{
               .none_is_machine_zero = false},
     .machine_words_are_gauge_point = true,
     .kept = kept_parameters,
+    .modes_behind_motion = modes_behind_motion,
     .indexed_tools = true,
     .spindle_stops = spindle_stops,
     .compensation_keeps_side = true,

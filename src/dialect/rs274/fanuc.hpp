@@ -53,6 +53,11 @@ enum class FanucSpecial : std::uint8_t {
     turning_cycle,  ///< G90, G92, G94 of lathes: modal
     rotation,
     rotation_off,
+    tilt,          ///< G68.2
+    tilt_spatial,  ///< Haas G268
+    tilt_by_axes,  ///< Haas G254
+    tilt_off,      ///< Haas G255, G269
+    take_up_tilt,  ///< G53.1, Haas G253
     scaling,
     scaling_off,
     mirror,

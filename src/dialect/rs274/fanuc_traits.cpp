@@ -101,6 +101,12 @@ constexpr std::array haas_kept{KeptParameters{100, 199},
 /// Angle of M19 by P or R; builders' M functions take P and Q at most [-].
 constexpr std::array function_letters{program::FunctionLetters{19, 19, "RP"}};
 
+/// Haas Mill Operator's Manual 96-8000, M00: it stops axes and spindle and switches the coolant off; M01 does the same
+/// where the operator has switched it on.
+constexpr std::array haas_stops{program::SpindleStop{0, false, true, true}, program::SpindleStop{1, false, false}};
+/// B-63684EN, M00 and M01: automatic operation stops. What spindle and coolant do is the machine builder's.
+constexpr std::array fanuc_stops{program::SpindleStop{0, false, false}, program::SpindleStop{1, false, false}};
+
 constexpr program::Traits common{
     // Parameter 3403#6 (AD2): alarm 5074, or the last address counts (series 30i/31i/32i parameter manual B-64310EN).
     .repeated_words = program::Repeated::last_or_stop,
@@ -156,6 +162,11 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.own_functions = t.passed_functions = accepted_fanuc_m(haas);
     t.pitch_along = program::PitchAlong::farthest_axis;
     if (haas) t.kept = haas_kept;
+    // FANUC B-63944EN, 4.1 "Positioning (G00)"; Haas: setting 335, linear rapid mode (docs/dialects/fanuc.md).
+    if (haas) t.rapids = {program::RapidWay::each_axis, "setting 335 = NONE"};
+    if (!haas) t.rapids = {program::RapidWay::by_setting, "bit LRP of parameter 1401 = 0"};
+    t.spindle_stops = fanuc_stops;
+    if (haas) t.spindle_stops = haas_stops;
     if (!haas) t.line_without_centre = "bit CIR of parameter 3403 = 0";  // operator's manual, circular interpolation
     if (!haas) t.angles_from_zero = "bit NAT of parameter 6004 = 0";     // operator's manual, custom macro, arithmetic
     if (!haas) t.alarms.circle_compensates = "34";
@@ -166,6 +177,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     if (!haas) t.outer_corner_setting = "bit CCC of parameter 19607 = 1";  // memory: parameter manual of the 30i
     // Connection manual of the 30i, B-63943EN-1/02, 12.5.2: bit 6 of parameter 5006 shifts coordinates alone.
     if (!haas && !lathe) t.length_word_setting = "bit TOS of parameter 5006";
+    // cnc.wiki, "G94 and G95: feed rate modes": F stays, and its number is taken in the new unit.
+    if (!haas) t.feed_in_other_unit = "the control takes the number of the last F in the new unit";
     t.radius_to_start_stays = !haas;  // the same, circular interpolation: no move where start and end are one point
     // Haas Mill Operator's Manual 96-8000, G49: H0, G28, M30 and reset end tool length compensation, too.
     t.home_cancels_length = haas && !lathe;
@@ -173,6 +186,11 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.position_reset_names_axes = true;
     if (!haas) t.common_call_levels = 4;  // four to ten by series (cnc.wiki, "Writing and calling subprograms")
     t.unit_before_motion = true;
+    t.first_rotary_axis_decides = !lathe;
+    // IS-B; the custom macro's variables are rounded so, too (operator's manuals; Haas: "Address Substitution").
+    t.counts_increments = true;
+    t.increments_per_mm = 1000;
+    t.speed_is_whole = true;  // S takes whole numbers, of variables rounded ones (cncarea.com, docs/dialects/fanuc.md)
     t.begins_as_lathe = lathe;
     t.assumes_rest_of_centre = !haas;
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;

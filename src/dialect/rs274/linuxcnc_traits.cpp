@@ -157,6 +157,8 @@ constexpr program::Traits traits{
     .modulo_is_positive = true,
     .radius_at_start = true,
     .blends_without_limit = true,
+    .loops_remember = true,
+    .call_levels = 10,  // interp_internal.hh, INTERP_SUB_ROUTINE_LEVELS; run
     .arc_turns_in_p = true,
     .clearance_at_start = true,
     .arc_tolerance = 0.02828427125,

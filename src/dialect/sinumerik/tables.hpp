@@ -111,6 +111,9 @@ inline constexpr program::Traits traits{
     .has_diameter_words = true,
     .radius_makes_arc = false,
     .length_axis_setting = "SD42940 TOOL_LENGTH_CONST = 17",
+    .counts_increments = true,  // MD10200 INT_INCR_PER_MM, where the machine file says it
+    // 840D sl, Function Manual Feeds (V1) 08/2005, 2.1: F is deleted when G93, G94 or G95 changes; alarm 10860.
+    .feed_in_other_unit = "the control deletes F with the change, and stops with alarm 10860",
     .alarms = {.late_definition = "14500"},
 };
 

@@ -1,4 +1,5 @@
 #include "driver/documents/check_post.hpp"
+#include "driver/increments.hpp"
 
 #include <algorithm>
 
@@ -6,6 +7,7 @@
 #include "compare/compare.hpp"
 #include "cycles/expand/expand.hpp"
 #include "driver/control.hpp"
+#include "driver/translate.hpp"
 
 namespace obrys::driver {
 
@@ -101,7 +103,7 @@ std::unique_ptr<Session> read_again(const write::Post& post, const std::string& 
     auto run = std::make_unique<Session>();
     Request request;
     request.input = "SAMPLE." + post.suffix;
-    request.text = text;
+    request.text = std::make_shared<const std::string>(text);
     request.control = post.control;
     request.prints_nowhere = true;
     request.machine = write::turns(post) ? "lathe-generic" : turns_axes ? "hermle-u1130" : "mill-generic";
@@ -146,7 +148,7 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
     Around out;
     out.before = write::records_of(write::sample_begin(post, tool_radius));
     if (!has_reader) return out;
-    const compare::Tolerance tolerance;
+    const compare::Tolerance tolerance = as_control_counts(post, {}, 1);
     const bool by_axes = post.staircase.has_value();
     compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     const WrittenSample written = write_sample(post, out.before, {}, false);
@@ -162,7 +164,8 @@ Around around(const write::Post& post, double tool_radius, bool has_reader) {
 /// True where it has such roles: then its moves are the machine's, too.
 bool strip_unsaid(compare::Path& path, const write::Sample& sample) {
     bool stripped = false;
-    for (compare::Item& item : path.cycles) {
+    for (std::size_t i = 0; i < path.cycles.size(); ++i) {
+        compare::Item& item = path.cycles[i];
         auto* begin = std::get_if<cl::CycleBegin>(&item.step);
         if (begin == nullptr) continue;
         cl::Cycle cycle = *begin->cycle;
@@ -179,7 +182,10 @@ bool strip_unsaid(compare::Path& path, const write::Sample& sample) {
 
 void read_sample(const write::Post& post, const Around& a, const std::vector<cl::Record>& records,
                  const WrittenSample& written, bool ends, bool moves_known, TriedSample& t) {
-    const compare::Tolerance tolerance;
+    double spread = 1;
+    for (const cl::Record& r : records)
+        if (const auto* frame = std::get_if<cl::Frame>(&r.step)) spread = std::max(spread, spread_of(*frame));
+    const compare::Tolerance tolerance = as_control_counts(post, {}, spread);
     const bool by_axes = post.staircase.has_value();
     compare::Path wanted(tolerance.length, by_axes), read(tolerance.length, by_axes);
     take_wanted(wanted, post, written, a.before, records, ends);

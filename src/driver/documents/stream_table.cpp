@@ -58,7 +58,7 @@ void add_coefficients(nlohmann::ordered_json& j, const cl::Spline& s) {
     j["k2_mm"] = json_point(s.k2);
     j["k1_mm"] = json_point(s.k1);
     for (const cl::SplineAxis& a : s.axes) {
-        const std::string name(a.name.data(), std::find(a.name.begin(), a.name.end(), '\0'));
+        const std::string name(cl::name_of(a.name));
         j["axes"].push_back({{"name", base::as_utf8(name)},
                              {"unit", a.rotary ? "deg" : "mm"},
                              {"to", json_number(a.to)},

@@ -81,6 +81,10 @@ void enter(Calling& run, const Unit& unit, const Call* call, const base::Span& w
         run.ending = Ending::budget;
         return;
     }
+    if (const std::uint32_t most = run.traits->call_levels; most != 0 && run.calls.size() >= most)
+        return alarm(run, codes::syntax, where,
+                     "programs call each other more than " + std::to_string(most - 1) + " levels deep",
+                     "the control allows no more: call fewer from each other");
     const std::uint32_t common = run.traits->common_call_levels;
     if (common != 0 && run.calls.size() > common)
         assume(run, where,

@@ -20,6 +20,18 @@ void go_back(Calling& run, std::uint32_t target);
 /// the budget, and where the loop cannot end.
 void count_pass(Calling&, std::uint32_t target);
 
+// --- loop_marks.cpp
+/// A break or continue.
+void leave_loop(Calling&, const program::Jump&);
+/// A while is not run, as its condition does not hold.
+void pass_over(Calling&, const program::Branch& while_line);
+/// Whether a do ends whose condition says so, or not.
+[[nodiscard]] bool ends_do(Calling&, bool done);
+void begin_remembered_repeat(Calling&, const program::Branch&, std::uint32_t index);
+void end_remembered_repeat(Calling&, const program::Branch&);
+/// False after an alarm: the run has come by another structure with this label.
+[[nodiscard]] bool owns_label(Calling&, const program::Branch& opener, std::uint32_t index);
+
 // --- label.cpp
 void call_label(Telling&, const program::LabelCall&, std::uint32_t index);
 void end_label(Telling&);  ///< LBL 0
@@ -50,6 +62,8 @@ void procedure(Calling&, const program::ProcedureCall&);
 void modal_word(Calling&, const program::Word&);
 /// What a word of the modal state does, without the block it stands in; false where `m` is none.
 [[nodiscard]] bool apply_mode(Calling&, Modal m, int number);
+/// What the block says that holds from its end on.
+void modes_behind_motion(Calling&);
 
 // --- dimension_words.cpp
 void set_plane(Moving&, int plane);
@@ -171,7 +185,7 @@ void end_for(Calling& run, const program::For& f);
 void run_case(Calling& run, const program::Case& c);
 void repeat_section(Telling& run, const program::Section& s, std::uint32_t index);
 /// The count is taken once, at the start.
-void begin_repeat(Reckoning& run, const program::Branch& b, std::uint32_t index);
+void begin_repeat(Calling& run, const program::Branch& b, std::uint32_t index);
 void end_repeat(Calling& run, const program::Branch& b);
 
 // --- refuse_signals.cpp

@@ -1,8 +1,10 @@
 /// Cycles that the control itself has and calls like programs; one of the user with that name counts before them
 /// (SINUMERIK search path: the program's folder, subprograms, then the cycles of user, builder and control).
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "base/codes.hpp"
@@ -52,10 +54,23 @@ void path_tolerance(Telling& run, const Call& call) {
     emit(run, t);
 }
 
-/// Numbers of CYCLE800(_FR,_TC,_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR); nothing where one is not known.
-std::optional<std::array<double, 14>> swivel_numbers(Reckoning& run, const Call& call) {
+/// CYCLE800(_FR,_TC,_ST,_MODE,_X0,_Y0,_Z0,_A,_B,_C,_X1,_Y1,_Z1,_DIR,_FR_I).
+using SwivelNumbers = std::array<double, 15>;
+enum SwivelArgument : std::size_t {
+    swivel_retracts = 0,
+    swivel_status = 2,
+    swivel_mode = 3,
+    swivel_before = 4,
+    swivel_angles = 7,
+    swivel_behind = 10,
+    swivel_direction = 13,
+    swivel_distance = 14
+};
+
+/// Its numbers; nothing where one is not known.
+std::optional<SwivelNumbers> swivel_numbers(Reckoning& run, const Call& call) {
     constexpr std::size_t name = 1;
-    std::array<double, 14> out{};
+    SwivelNumbers out{};
     for (std::size_t i = 0; i < out.size(); ++i) {
         const auto v = i == name ? std::optional(0.0) : plain(run, call, i);
         if (run.stopped || !v) return std::nullopt;
@@ -77,18 +92,59 @@ std::optional<geom::Frame> turned_axis_by_axis(int mode, std::span<const double>
     return f;
 }
 
+/// What the digits of _ST say besides new or additive, and the tip's place: from hundreds on.
+constexpr std::array status_digits{"it aligns the tool (_ST, hundreds)", "it swivels by hand (_ST, thousands)",
+                                   "it does not swivel (_ST, ten thousands)",
+                                   "how it chooses the direction in which the axes turn (_ST, hundred thousands)"};
+
 /// Why a form of CYCLE800 is not run; empty: it is.
-std::string_view why_no_swivel(const std::array<double, 14>& n, bool turns) {
-    constexpr std::size_t retract = 0, status = 2, mode = 3;
-    constexpr double most_status = 11, other_angles = 64;  // _ST: new or additive, with or without tracking of the tip
-    if (n[retract] != 0) return "it retracts the tool first to a position of the machine";
-    const bool is_plain = n[status] == 0 || n[status] == 1 || n[status] == 10 || n[status] == most_status;
-    if (!is_plain) return "what it says with _ST besides new, additive and tracking of the tip is not followed";
-    if (turns && !(n[mode] >= 0 && n[mode] < other_angles)) return "its angles are not said axis by axis (_MODE)";
+std::string_view why_no_swivel(const SwivelNumbers& n, bool turns) {
+    constexpr double other_angles = 64;
+    const auto retracts = base::whole<int>(n[swivel_retracts], 0, 5);
+    if (!retracts || *retracts == 3) return "what its _FR says of retracting the tool is not known";
+    if (n[swivel_distance] < 0)
+        return "the way by which the tool retracts is negative (_FR_I), which stops the control";
+    const auto status = base::whole<int>(n[swivel_status], 0, 999'999);
+    if (!status) return "its _ST is none that is known";
+    int digits = *status / 100;
+    for (const char* says : status_digits) {
+        if (digits % 10 != 0) return says;
+        digits /= 10;
+    }
+    if (*status % 10 > 1 || *status / 10 % 10 > 1)
+        return "what it says with _ST besides new, additive and tracking of the tip is not followed";
+    if (turns && !(n[swivel_mode] >= 0 && n[swivel_mode] < other_angles))
+        return "its angles are not said axis by axis (_MODE)";
     return {};
 }
 
-geom::Vec3 vector_at(const std::array<double, 14>& n, std::size_t first, double unit) {
+/// _FR: the tool goes away before the axes turn. 5: along itself by _FR_I. 1: Z of the machine goes to a place that the
+/// swivel data record holds, 2: then X and Y, 4: as far along the tool as the travels let it; where that is, is not
+/// known here. Source: SINUMERIK Operate, Operating Manual Turning 06/2019, p. 611 (the ways), programs of CAM systems
+/// (their numbers): docs/dialects/sinumerik.md.
+void retract_before_swivel(Calling& run, const SwivelNumbers& n, const base::Span& where) {
+    if (n[swivel_retracts] == 0) return;
+    constexpr double by_distance = 5, along_z = 1, unknown = std::numeric_limits<double>::quiet_NaN();
+    begin_motion(run);
+    const Rotary axes = rotary(run);
+    const bool stand_at_zero =
+        std::all_of(axes.values.begin(), axes.values.end(), [](double v) { return std::abs(v) < 1e-12; });
+    geom::Vec3 to{unknown, unknown, unknown};
+    if (n[swivel_retracts] == by_distance && (tilted(run) || stand_at_zero)) {
+        const bool known = shop::has_rotary(shop::chain_of(run.env.machine));
+        to = run.position + n[swivel_distance] * length_unit(run.modal) * (known ? axis_of_tool(run) : run.tool_axis);
+    } else {
+        assume(run, where,
+               "where the tool retracts to before the axes turn (_FR) is a setting of the machine: that place is not "
+               "known");
+        if (n[swivel_retracts] == along_z && stand_at_zero && !tilted(run))
+            to = {run.position.x, run.position.y, unknown};
+    }
+    stand_at(run, to);
+    emit(run, cl::Linear{run.position, run.tool_axis, true});
+}
+
+geom::Vec3 vector_at(const SwivelNumbers& n, std::size_t first, double unit) {
     return unit * geom::Vec3{n[first], n[first + 1], n[first + 2]};
 }
 
@@ -99,33 +155,34 @@ void swivel_plane(Calling& run, const Call& call) {
     const auto numbers = swivel_numbers(run, call);
     if (run.stopped) return;
     if (!numbers) return not_run(run, call, "it tilts the working plane by a value that is not known");
-    const std::array<double, 14>& n = *numbers;
-    constexpr std::size_t status = 2, mode = 3, before = 4, angles = 7, behind = 10, direction = 13;
-    const bool turns = n[angles] != 0 || n[angles + 1] != 0 || n[angles + 2] != 0;
+    const SwivelNumbers& n = *numbers;
+    const bool turns = n[swivel_angles] != 0 || n[swivel_angles + 1] != 0 || n[swivel_angles + 2] != 0;
     if (const std::string_view why = why_no_swivel(n, turns); !why.empty()) return not_run(run, call, std::string(why));
-    const auto turned =
-        turned_axis_by_axis(base::whole<int>(n[mode], 0, 63).value_or(0), std::span(n).subspan(angles, 3));
+    const auto turned = turned_axis_by_axis(base::whole<int>(n[swivel_mode], 0, 63).value_or(0),
+                                            std::span(n).subspan(swivel_angles, 3));
     if (!turned) return not_run(run, call, "its _MODE names no axis for an angle");
     const double unit = length_unit(run.modal);
-    geom::Frame plane =
-        geom::Frame::shift(vector_at(n, before, unit)) * *turned * geom::Frame::shift(vector_at(n, behind, unit));
-    if (std::fmod(n[status], 10) == 1) plane = active_plane(run) * plane;
+    geom::Frame plane = geom::Frame::shift(vector_at(n, swivel_before, unit)) * *turned *
+                        geom::Frame::shift(vector_at(n, swivel_behind, unit));
+    if (std::fmod(n[swivel_status], 10) == 1) plane = active_plane(run) * plane;
     flush_path(run);
     if (!(run.modal.programmed == active_plane(run)))
         assume(run, call.where, "this cycle ends the programmed frame too (TRANS, ROT, SCALE, MIRROR)",
                "write the frame behind it");
+    retract_before_swivel(run, n, call.where);
+    if (run.stopped) return;
     const bool was_tilted = tilted(run), has_axes = shop::has_rotary(shop::chain_of(run.env.machine));
     const BeforeSwivel stood{on_workpiece(run), axis_of_tool(run), 0};
     const geom::Vec3 axis_before = run.tool_axis;
     run.modal.programmed = {};
     if (turns || was_tilted || plane == geom::Frame{})
-        tilt(run, plane, {n[direction], false}, call.where);
+        tilt(run, plane, {n[swivel_direction], false}, call.where);
     else
         run.modal.programmed = plane, update_frame(run);
     if (run.stopped) return;
     constexpr double tracks = 10;
-    if (n[direction] != 0 && (turns || was_tilted || has_axes))
-        swivel(run, n[status] >= tracks, true, stood, call.where);
+    if (n[swivel_direction] != 0 && (turns || was_tilted || has_axes))
+        swivel(run, n[swivel_status] >= tracks, true, stood, call.where);
     else
         tell_rotary(run, axis_before);
 }

@@ -5,8 +5,6 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 namespace {
 
 bool names_axes(const BlockWords& b) { return (b.present & (linear_axes | other_axes)) != 0; }
@@ -14,7 +12,7 @@ bool names_axes(const BlockWords& b) { return (b.present & (linear_axes | other_
 }  // namespace
 
 void set_plane(Moving& run, int plane) {
-    tell(run, SettingKind::plane, plane);
+    hear(run, heard::Plane{plane});
     if (run.modal.plane == plane) return;
     run.block.changes_plane = true;
     flush_path(run);
@@ -85,11 +83,6 @@ bool offset_word(Moving& run, Modal m, int number) {
 
 namespace {
 
-/// Tells a mode that has changed.
-void tell_changed(Telling& run, SettingKind kind, bool before, bool now) {
-    if (before != now) tell(run, kind, now);
-}
-
 /// Sources: FANUC B-63944EN/02 page 192: at the beginning of the program, not to be switched during it; Haas: must be
 /// what Setting 9 says (96-8000, G20/G21).
 /// HEIDENHAIN: the head says the unit of the whole program. `inside`: a G70 or G71 elsewhere.
@@ -110,8 +103,8 @@ bool dimension_word(Telling& run, Modal m, int number) {
     switch (m) {
         case Modal::arc_centre_absolute:
         case Modal::arc_centre_incremental:
-            tell_changed(run, SettingKind::centre_incremental, !state.centre_absolute,
-                         m == Modal::arc_centre_incremental);
+            if (state.centre_absolute != (m == Modal::arc_centre_absolute))
+                hear(run, heard::Increments{m == Modal::arc_centre_incremental, true});
             state.centre_absolute = m == Modal::arc_centre_absolute;
             return true;
         case Modal::inch_geometry: state.inch_geometry = true; return true;
@@ -119,22 +112,23 @@ bool dimension_word(Telling& run, Modal m, int number) {
         case Modal::inch_all:
             say_changed_unit(run, !state.inch_geometry, number == program::unit_inside);
             state.inch_geometry = state.inch_feed = true;
-            tell(run, SettingKind::unit, 1);
+            hear(run, heard::Unit{true});
             return true;
         case Modal::metric_all:
             say_changed_unit(run, state.inch_geometry, number == program::unit_inside);
             state.inch_geometry = state.inch_feed = false;
             state.metric_feed = true;
-            tell(run, SettingKind::unit, 0);
+            hear(run, heard::Unit{false});
             return true;
         case Modal::absolute:
         case Modal::incremental:
-            tell_changed(run, SettingKind::incremental, !state.absolute, m == Modal::incremental);
+            if (state.absolute != (m == Modal::absolute)) hear(run, heard::Increments{m == Modal::incremental, false});
             state.absolute = m == Modal::absolute;
             return true;
         case Modal::diameter_on:
         case Modal::diameter_off:
-            tell_changed(run, SettingKind::diameter, state.diameter == DiameterMode::on, m == Modal::diameter_on);
+            if ((state.diameter == DiameterMode::on) != (m == Modal::diameter_on))
+                hear(run, heard::Diameters{m == Modal::diameter_on});
             state.diameter = m == Modal::diameter_on ? DiameterMode::on : DiameterMode::off;
             return true;
         case Modal::diameter_absolute_only: state.diameter = DiameterMode::absolute_only; return true;

@@ -121,7 +121,7 @@ void put_expression(Calling& run, const program::Statement& s, const Word& w) {
     if (std::isnan(v) && run.clock_asked && run.capture == nullptr)
         unchecked_once(run, codes::unknown_value, run.unit().span(s, w),
                        "this word depends on a value that is not known: the program asks for the date or the time");
-    run.block.put(program::code_of(w), v, reference_of(run.unit().exprs[id]));
+    run.block.put(program::code_of(w), as_taken(run, program::code_of(w), v), reference_of(run.unit().exprs[id]));
 }
 
 void gather(Calling& run, const program::Statement& s, const Word& w) {
@@ -149,7 +149,7 @@ void gather(Calling& run, const program::Statement& s, const Word& w) {
         default: break;
     }
     if (program::is_literal(w)) {
-        run.block.put(code, run.unit().literal(w));
+        run.block.put(code, as_taken(run, code, run.unit().literal(w)));
         return;
     }
     if (program::form_of(w) == Form::expression) return put_expression(run, s, w);

@@ -44,7 +44,7 @@ void end_of_pass(Calling& run, const program::Jump& j, std::uint32_t target) {
            std::string(run.traits->repeats_program) + " repeats the main program without end: one pass is run");
     if (j.condition == program::no_expr) say_blocks_behind(run, std::string(run.traits->repeats_program));
     flush_path(run);
-    tell_end(run, 2);
+    hear_end(run, 2);
     emit(run, cl::Stop{cl::StopKind::end});
     run.repeats = true;
     run.repeats_from = target == 0 ? 0 : run.unit().statements[target].begin;
@@ -89,6 +89,7 @@ std::uint32_t computed_target(Reckoning& run, const program::Jump& j) {
 void jump(Calling& run, const program::Jump& j) {
     if (j.condition != program::no_expr && !truth(run, j.condition)) return;
     if (run.stopped) return;
+    if (j.leaves != program::Leaves::nothing) return leave_loop(run, j);
     if (j.direction == program::JumpDirection::start && !run.traits->repeats_program.empty())
         return end_of_pass(run, j, 0);
     if (j.direction == program::JumpDirection::start) {

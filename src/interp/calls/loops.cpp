@@ -123,7 +123,8 @@ void repeat_section(Telling& run, const program::Section& s, std::uint32_t index
     begin_repetition(run, std::move(active));
 }
 
-void begin_repeat(Reckoning& run, const program::Branch& b, std::uint32_t index) {
+void begin_repeat(Calling& run, const program::Branch& b, std::uint32_t index) {
+    if (run.unit().traits->loops_remember) return begin_remembered_repeat(run, b, index);
     const double n = std::round(number(run, b.condition));
     if (run.stopped) return;
     if (std::isnan(n))
@@ -136,6 +137,7 @@ void begin_repeat(Reckoning& run, const program::Branch& b, std::uint32_t index)
 }
 
 void end_repeat(Calling& run, const program::Branch& b) {
+    if (run.unit().traits->loops_remember) return end_remembered_repeat(run, b);
     auto& counters = run.top().counters;
     const auto c =
         std::find_if(counters.begin(), counters.end(), [&](const auto& k) { return k.statement == b.target; });

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -12,7 +14,7 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
+namespace codes = base::codes;
 
 namespace {
 
@@ -97,15 +99,15 @@ bool apply_mode(Calling& run, Modal m, int number) {
         case Modal::interpolation_off: set_surface(run, m); return true;
         case Modal::datum: set_datum(run, static_cast<std::uint32_t>(number)); return true;
         case Modal::feed_inverse_time:
-            tell(run, SettingKind::feed_mode, 93);
+            hear(run, heard::FeedKind{cl::FeedMode::inverse_time});
             set_feed_mode(run, cl::FeedMode::inverse_time);
             return true;
         case Modal::feed_per_minute:
-            tell(run, SettingKind::feed_mode, 94);
+            hear(run, heard::FeedKind{cl::FeedMode::per_minute});
             plain_feed(run, cl::FeedMode::per_minute);
             return true;
         case Modal::feed_per_rev:
-            tell(run, SettingKind::feed_mode, 95);
+            hear(run, heard::FeedKind{cl::FeedMode::per_rev});
             plain_feed(run, cl::FeedMode::per_rev);
             return true;
         case Modal::surface_speed_on: set_surface_speed(run, true, number); return true;
@@ -128,12 +130,31 @@ bool apply_mode(Calling& run, Modal m, int number) {
     }
 }
 
+void modes_behind_motion(Calling& run) {
+    const std::vector<Modal> modes = std::exchange(run.block.behind, {});
+    const Modal motion = run.modal.motion;
+    const bool moves = (run.block.present & linear_axes) != 0 || run.block.has(Code::polar_angle) ||
+                       run.block.has(Code::polar_radius) || run.block.has(Code::pole_angle);
+    for (const Modal m : modes) {
+        const bool decides = m == Modal::feed_per_minute && run.modal.feed_mode == cl::FeedMode::per_rev;
+        if (decides && moves && motion != Modal::rapid && !run.block.rapid)
+            unchecked(
+                run, codes::unknown_value, run.here(),
+                "the feed is in mm per minute from the end of this block on: F of the block itself is taken in mm per "
+                "revolution still",
+                "write the M function in a block of its own before this one, and F behind it");
+        static_cast<void>(apply_mode(run, m, 0));
+    }
+}
+
 void modal_word(Calling& run, const program::Word& w) {
     const Modal m = program::modal_of(w);
     refuse_modal(run, w);
     repeated_group(run, w);
     run.modal.groups_said |= std::uint32_t{1} << static_cast<unsigned>(program::group_of(m));
     if (run.stopped || motion_word(run, m, w)) return;
+    const std::span<const Modal> behind = run.traits->modes_behind_motion;
+    if (std::find(behind.begin(), behind.end(), m) != behind.end()) return run.block.behind.push_back(m);
     if (apply_mode(run, m, program::modal_number(w)) || m < Modal::canned) return;
     // no reader may make a word that is not run here
     const base::Span where = run.unit().span(*run.statement, w);

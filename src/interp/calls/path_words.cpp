@@ -10,8 +10,6 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 namespace {
 
 /// G53 whose coordinates are ways (G91), where the control takes no notice of it.
@@ -130,7 +128,9 @@ void set_compensation(Moving& run, Modal m) {
     if (given && b.has(Code::offset_d)) state.compensation_radius = b.get(Code::offset_d) * unit / 2;
     if (!given && m != Modal::compensation_off) take_radius_number(run);
     const bool left = (state.compensation == Modal::compensation_left) != (state.compensation_radius < 0);
-    tell(run, SettingKind::compensation, state.compensation == Modal::compensation_off ? 0 : left ? 1 : 2);
+    hear(run, heard::Compensation{state.compensation == Modal::compensation_off ? heard::Side::off
+                                  : left                                        ? heard::Side::left
+                                                                                : heard::Side::right});
 }
 
 namespace {
@@ -154,7 +154,7 @@ void set_path_mode(Moving& run, Modal m, int number) {
     state.blend = m == Modal::path_blend && b.has(Code::p) ? b.get(Code::p) * unit : 0;
     state.merge = m == Modal::path_blend && b.has(Code::q) ? b.get(Code::q) * unit : state.blend;
     state.blend_free = m == Modal::path_blend && !b.has(Code::p) && run.traits->blends_without_limit;
-    tell_path_mode(run);
+    hear(run, joining_in_force(run));
     tell_joining(run, false);
 }
 
@@ -172,12 +172,12 @@ bool numbered_motion_word(Moving& run, Modal m, int number) {
             run.canned.active = false;
             state.rapid_by_cancel = state.motion == Modal::canned && state.before_cycle != Modal::rapid;
             state.motion = run.traits->cancel_leaves_no_motion ? Modal::canned_off : Modal::rapid;
-            tell(run, SettingKind::motion_off);
+            hear(run, heard::NoMotion{});
             return true;
         case Modal::retract_initial:
         case Modal::retract_clearance:
             state.clear_to_retract_plane = m == Modal::retract_clearance;
-            tell(run, SettingKind::retract_clearance, state.clear_to_retract_plane);
+            hear(run, heard::RetractLevel{state.clear_to_retract_plane});
             return true;
         case Modal::nurbs:
             if (state.motion != m || state.motion_number != number) run.curve.open = false;

@@ -16,7 +16,7 @@ void end_of_program(Calling& run, int m) {
     say_blocks_behind(run, word);
     if (!called || run.unit().traits->may_end_anywhere) say_callers_rest(run, word);
     if (called && run.unit().traits->may_end_anywhere) {
-        tell_end(run, m);
+        hear_end(run, m);
         emit(run, cl::Stop{cl::StopKind::end});
         run.stopped = true;
         return;
@@ -27,7 +27,7 @@ void end_of_program(Calling& run, int m) {
                   (run.last_message.empty() ? "" : ": " + run.last_message));
         return;
     }
-    if (!called) tell_end(run, m);
+    if (!called) hear_end(run, m);
     // What was cancelled behind the last move is not to hold for the next program.
     if (!called && !run.told.parts.empty()) emit_frame(run);
     if (!called) emit(run, cl::Stop{cl::StopKind::end});
@@ -37,6 +37,7 @@ void end_of_program(Calling& run, int m) {
 }  // namespace
 
 void after_motion(Calling& run) {
+    if (!run.block.behind.empty()) modes_behind_motion(run);
     if (run.block.stops_run) {
         run.spindle.doubtful = true;
         emit(run, cl::Stop{cl::StopKind::program});

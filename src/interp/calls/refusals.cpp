@@ -97,7 +97,7 @@ void refuse_axes(Moving& run) {
     const shop::Machine& machine = run.env.machine;
     const bool named = !machine.axes.empty() && !machine.more_axes;
     const std::uint64_t all = linear_axes | rotary_axes | parallel_axes;
-    const std::uint64_t known = named ? run.known_axes : run.env.tell_settings ? linear_axes | rotary_axes : all;
+    const std::uint64_t known = named ? run.known_axes : run.env.stand_alone ? linear_axes | rotary_axes : all;
     const std::uint64_t foreign = run.block.present & all & ~known;
     if (foreign == 0) return;
     const int k = std::countr_zero(foreign) - std::countr_zero(bit(Code::x));

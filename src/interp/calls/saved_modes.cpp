@@ -6,8 +6,6 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 void save_modes(Reckoning& run, bool for_call) {
     const Offsets& o = run.offsets;
     run.top().saved_modes = SavedModes{run.modal, run.feed, run.feed_valid, run.feed_number, run.spindle,  run.mist,
@@ -24,7 +22,7 @@ namespace {
 
 void restore_spindle_mode(Telling& run, const ModalState& s) {
     if (s.surface_speed == run.modal.surface_speed) return;
-    tell(run, SettingKind::surface_speed, s.surface_speed ? 96 : 97, {s.surface_speed ? run.spindle.limit : 0});
+    hear(run, heard::SpeedKind{s.surface_speed ? run.spindle.limit : 0});
     run.modal.surface_speed = s.surface_speed;
     run.modal.speed_word = s.speed_word;
 }
@@ -41,7 +39,7 @@ void restore_feed(Calling& run, const SavedModes& s) {
     run.feed_number = s.feed_number;
     run.feed = s.feed_number * feed_factor(run);
     run.feed_valid = true;
-    tell(run, SettingKind::feed_rate, 0, {s.feed_number});
+    hear(run, heard::FeedNumber{s.feed_number});
     emit(run, cl::Feed{run.feed, run.modal.feed_mode});
 }
 
@@ -49,8 +47,8 @@ void restore_spindle(Moving& run, const SpindleState& s) {
     const bool speed = s.speed != run.spindle.speed, turn = s.direction != run.spindle.direction;
     run.spindle = s;
     run.spindle.mode_changed = false;
-    if (speed) tell(run, SettingKind::spindle_speed, 0, {s.speed});
-    if (turn) tell(run, SettingKind::spindle_turn, s.direction);
+    if (speed) hear(run, heard::SpeedNumber{s.speed});
+    if (turn) hear(run, heard::SpindleTurn{s.direction});
     if (speed || turn) emit_spindle(run);
 }
 
@@ -59,7 +57,7 @@ void restore_coolant(Telling& run, const SavedModes& s) {
     for (const int m : {9, 7, 8}) {
         const bool wanted = m == 9 ? (run.mist && !s.mist) || (run.flood && !s.flood) : m == 7 ? s.mist : s.flood;
         if (!wanted || (m == 7 && run.mist) || (m == 8 && run.flood)) continue;
-        tell(run, SettingKind::coolant, m);
+        hear(run, heard::CoolantWord{m});
         coolant(run, m);
     }
 }
@@ -84,7 +82,7 @@ void restore_path(Telling& run, const ModalState& s) {
     m.path_mode = s.path_mode;
     m.blend = s.blend;
     m.merge = s.merge;
-    tell_path_mode(run);
+    hear(run, joining_in_force(run));
     tell_joining(run, false);
 }
 

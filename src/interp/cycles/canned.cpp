@@ -14,7 +14,6 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 using cl::CycleRole;
-using cl::SettingKind;
 
 namespace {
 
@@ -168,13 +167,6 @@ cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const
     return d;
 }
 
-void overrides(Telling& run, int allowed) {
-    // What the program has switched off before stays off behind the tap.
-    if (allowed == 0 || run.overrides.feed) tell_feed_override(run, allowed == 1);
-    if (run.env.tell_settings && (allowed == 0 || run.overrides.speed))
-        emit(run, cl::Override{cl::OverrideKind::spindle, allowed == 1});
-}
-
 /// What the stream says of the cycle: its place says where the hole is.
 cycles::Demand told(cycles::Demand d) {
     std::erase_if(d.values, [](const cl::CycleValue& v) {
@@ -184,37 +176,25 @@ cycles::Demand told(cycles::Demand d) {
     return d;
 }
 
-/// The steps of one hole; the cycle begins over it. Overrides are off while a tap is in it.
+/// The steps of one hole; the cycle begins over it.
 void emit_hole(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
                const WayOfCall& calling) {
     // A rigid tap that turns the spindle on leaves it standing: another speed alone does not turn it.
     const bool stops = c.kind == cl::CycleKind::canned_tap_rigid && demand.get(CycleRole::starts_spindle, 0) == 1;
-    bool in_hole = false;
     if (e.steps.empty()) begin_bracket(run, told(demand), c.name, calling);  // not simulated
     for (std::size_t i = 0; i < e.steps.size(); ++i) {
         if (run.stopped) return;
         cl::Step& step = e.steps[i];
         if (i == e.leads) begin_bracket(run, told(demand), c.name, calling);
-        const bool feeds = cl::is_move(step) && !cl::is_rapid(step);
-        if (feeds && !in_hole && taps(c.kind)) overrides(run, 0);
-        in_hole = in_hole || feeds;
-        if (const auto* s = std::get_if<cl::Spindle>(&step)) {
-            tell(run, SettingKind::spindle_turn, s->direction);
-            if (stops) run.spindle.direction = s->direction;
-        }
-        const bool out = in_hole && cl::is_rapid(step) && taps(c.kind);
-        if (out) {
-            overrides(run, 1);
-            in_hole = false;
-        }
+        if (const auto* s = std::get_if<cl::Spindle>(&step); s != nullptr && stops)
+            run.spindle.direction = s->direction;
         emit_step(run, std::move(step));
     }
-    if (in_hole && taps(c.kind)) overrides(run, 1);
     if (!run.stopped) end_bracket(run);
 }
 
 void exact_path(Telling& run) {
-    if (run.modal.path_mode != Modal::path_exact) tell(run, SettingKind::path_mode, 0);
+    if (run.modal.path_mode != Modal::path_exact) hear(run, heard::Joining{});
 }
 
 /// The move to the retract plane where the series began below it: a block of its own, which comes before the control
@@ -299,7 +279,7 @@ bool canned_motion(Cycling& run) {
     take_words(run, c, a);
     run_holes(run, c, a);
     if (run.stopped) return false;
-    if (run.modal.path_mode != Modal::path_exact) tell_path_mode(run);
+    if (run.modal.path_mode != Modal::path_exact) hear(run, joining_in_force(run));
     return true;
 }
 

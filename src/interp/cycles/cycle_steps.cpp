@@ -115,13 +115,13 @@ void emit_step(Telling& run, cl::Step step) {
         const PlaneView view(run);
         const path::Element element = plane_arc(*arc);
         const bool rapid = arc->rapid;
-        const std::optional<cl::Arc> placed = path::is_arc(element) ? view.arc(element, rapid) : std::nullopt;
-        if (path::is_arc(element) && !placed) return circle_alarm(run, run.here());
+        cl::Arc placed;
+        if (path::is_arc(element) && !view.arc(element, rapid, placed)) return circle_alarm(run, run.here());
         place(arc->to);
-        if (placed)
-            step = *placed;
+        if (path::is_arc(element))
+            step = placed;
         else
-            step = view.line(element, rapid);
+            view.line(element, rapid, step.emplace<cl::Linear>());
     }
     emit(run, std::move(step));
 }

@@ -13,7 +13,6 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 using cl::CycleRole;
-using cl::SettingKind;
 using cycles::TurningElement;
 
 namespace {
@@ -80,17 +79,7 @@ void take_words(const Moving& run, const program::CannedCycle& c, cycles::Demand
 }  // namespace
 
 void emit_turning_steps(Moving& run, std::vector<cl::Step>& steps) {
-    double pitch = 0;  // of the thread being cut; 0: none
-    for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) {
-        const auto* thread = std::get_if<cl::Thread>(&steps[i]);
-        const bool ends = thread == nullptr && pitch != 0;
-        if (thread != nullptr && pitch == 0) tell_feed_override(run, false);
-        if (thread != nullptr && thread->pitch != pitch) tell(run, SettingKind::synchronised, 1, {thread->pitch});
-        if (ends) tell(run, SettingKind::synchronised, 0);
-        pitch = thread != nullptr ? thread->pitch : 0;
-        path_step(run, std::move(steps[i]));
-        if (ends) tell_feed_override(run, true);
-    }
+    for (std::size_t i = 0; i < steps.size() && !run.stopped; ++i) path_step(run, std::move(steps[i]));
 }
 
 bool turning_cycle(Moving& run) {

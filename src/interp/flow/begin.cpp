@@ -131,6 +131,7 @@ Run::Run(const Run& other, cl::CallStacks& s, cl::Sink k, base::Diagnostics& d)
     stacks = &s;
     diagnostics = &d;
     sink = cl::Sink(zero);
+    listener.reset();  // who listens to the other one does not hear this one
     onward = ahead.get();
     reported.take(other.reported);
     assumed.take(other.assumed);
@@ -168,7 +169,7 @@ void begin(Calling& run, const Unit& main) {
     choose_reference_datum(run, main);
     enter(run, main, nullptr, {});
     if (!run.unit().statements.empty()) run.statement = run.unit().statements.data();
-    begin_telling(run);
+    hear_beginning(run);
     begin_said(run);
     if (run.env.first_tool != 0) begin_with_tool(run, run.env.first_tool);
     control_sets_all(run);

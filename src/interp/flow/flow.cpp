@@ -62,13 +62,15 @@ void run_by_kind(Cycling& run, const Statement& s, std::uint32_t index) {
         case StatementKind::if_:
         case StatementKind::while_: {
             const program::Branch& b = unit.branches[table];
+            if (!owns_label(run, b, index)) return;
             const bool yes = truth(run, b.condition);
             if (!run.stopped && !yes) go_on_at(run, b.target);
+            if (!yes && s.kind == StatementKind::while_) pass_over(run, b);
             return;
         }
         case StatementKind::else_: go_on_at(run, unit.branches[table].target); return;
+        case StatementKind::repeat_: static_cast<void>(owns_label(run, unit.branches[table], index)); return;
         case StatementKind::endif:
-        case StatementKind::repeat_:
         case StatementKind::loop_: return;
         case StatementKind::endwhile:
         case StatementKind::endloop:
@@ -76,7 +78,7 @@ void run_by_kind(Cycling& run, const Statement& s, std::uint32_t index) {
             return;
         case StatementKind::until: {
             const program::Branch& b = unit.branches[table];
-            const bool done = truth(run, b.condition, true);  // an unknown UNTIL must not loop for ever
+            const bool done = ends_do(run, truth(run, b.condition, true));  // an unknown UNTIL must not loop for ever
             if (!run.stopped && !done && b.target != program::no_target) go_back(run, b.target);
             return;
         }
@@ -100,15 +102,20 @@ void run_by_kind(Cycling& run, const Statement& s, std::uint32_t index) {
     }
 }
 
-}  // namespace
-
-void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
-    settle_motion(run);
-    if (begins_plain(run, s) && runs_plain_block(run, s, index)) return;
-    const bool keeps = run.plain_kinds.any && keeps_plain_kinds(run, s, index);
+/// Any other than a plain block.
+void run_other(Cycling& run, const Statement& s, std::uint32_t index) {
+    if (run.plain_kinds.any && runs_assignments(run, s, index)) return;
+    const bool keeps = run.plain_kinds.any && keeps_plain_kinds(s);
     if (!keeps) run.plain_kinds.forget();
     run_by_kind(run, s, index);
     if (!keeps) run.plain_kinds.forget();  // of blocks that it has run itself
+}
+
+}  // namespace
+
+void run_statement(Cycling& run, const Statement& s, std::uint32_t index) {
+    if (run.block.motion_behind) settle_motion(run);
+    if (!begins_plain(run, s) || !runs_plain_block(run, s, index)) run_other(run, s, index);
 }
 
 }  // namespace obrys::interp

@@ -40,23 +40,26 @@ void end_of_section(Moving& run) {
     if (done.finishing != nullptr) end_finishing(run, done);
 }
 
+/// Nothing is left of the program at hand.
+void end_of_text(RunState& run) {
+    const Activation& act = run.top();
+    run.plain_kinds.forget();
+    const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
+    if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
+    if (run.stopped) return;
+    if (run.calls.size() == 1) flush_path(run);
+    const bool ends = run.calls.size() == 1 && run.traits->text_end_ends_program && run.statement != nullptr;
+    if (ends) emit(run, cl::Stop{cl::StopKind::end});
+    leave(run);
+}
+
 }  // namespace
 
 void step(RunState& run) {
     Activation& act = run.top();
     while (!act.sections.empty() && act.pc == act.sections.back().last + 1 && !run.stopped) end_of_section(run);
     if (run.stopped) return;
-    if (act.pc >= act.unit->statements.size()) {
-        run.plain_kinds.forget();
-        const bool due = run.calls.size() == 1 || act.unit->startable || run.traits->text_may_end;
-        if (due && !act.is_text && !act.unit->unended.empty()) refuse_end(run);
-        if (run.stopped) return;
-        if (run.calls.size() == 1) flush_path(run);
-        const bool ends = run.calls.size() == 1 && run.traits->text_end_ends_program && run.statement != nullptr;
-        if (ends) emit(run, cl::Stop{cl::StopKind::end});
-        leave(run);
-        return;
-    }
+    if (act.pc >= act.unit->statements.size()) return end_of_text(run);
     if (act.pc == 0 && !act.is_text && !act.unit->unbegun.empty()) say_missing_beginning(run);
     const std::uint32_t index = act.pc++;
     const program::Statement& s = act.unit->statements[index];
@@ -65,6 +68,9 @@ void step(RunState& run) {
         (index < run.watched.first || index > run.watched.last || run.calls.size() != run.watched.depth))
         run.watched.depth = 0;
     const bool passed_over = s.flags != 0 && skipped(run, s);
+    if (!passed_over && !act.unit->remarks.empty())
+        for (const program::Remark& remark : act.unit->remarks_of(index))
+            emit(run, cl::Comment{remark.text, false, false});
     if (!passed_over && !act.unit->modes.spans.empty() && runs_read_again(run, index)) return;
     if (run.stopped) return;
     if (s.flags != 0) {

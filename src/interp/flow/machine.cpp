@@ -8,9 +8,10 @@
 namespace obrys::interp {
 
 Machine::Machine(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
-                 base::Diagnostics& diagnostics)
+                 base::Diagnostics& diagnostics, std::optional<Listener> listener)
     : run_(std::make_unique<Run>(environment, stacks, sink, diagnostics, program::parameter_count(*main.traits))),
       main_(main) {
+    run_->listener = listener;
     begin(*run_, main);
 }
 

@@ -4,18 +4,19 @@
 
 #include <memory>
 
+#include "interp/heard.hpp"
 #include "interp/interp.hpp"
 
 namespace obrys::interp {
 
 class Machine {
 public:
-    /// `main` and the environment must outlive it.
+    /// `main` and the environment must outlive it. `listener` hears what the control is told; nothing: nobody listens.
     Machine(const program::Unit& main, const Environment& environment, cl::CallStacks& stacks, cl::Sink sink,
-            base::Diagnostics& diagnostics);
-    /// Goes on from where `other` stands; neither knows of the other from there on. `stacks` begin as a copy of the
-    /// other's. What the control keeps outside of the run (tables of Environment::files, printed texts) is not copied.
-    /// Both use the environment's names and programs, which grow: they belong to one thread.
+            base::Diagnostics& diagnostics, std::optional<Listener> listener = {});
+    /// Goes on from where `other` stands; neither knows of the other from there on, nobody listens. `stacks` begin as a
+    /// copy of the other's. What the control keeps outside of the run (tables of Environment::files, printed texts) is
+    /// not copied. Both use the environment's names and programs, which grow: they belong to one thread.
     Machine(const Machine& other, cl::CallStacks& stacks, cl::Sink sink, base::Diagnostics& diagnostics);
     ~Machine();
     Machine(const Machine&) = delete;

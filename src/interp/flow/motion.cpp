@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
@@ -83,10 +84,31 @@ bool probe(Moving& run) {
     return true;
 }
 
+/// About a pole whose coordinates span another plane than the working plane: the same, there.
+bool motion_across(Moving& run) {
+    if (run.modal.compensation == Modal::compensation_off) flush_path(run);
+    if (run.capture != nullptr || needs_path_stage(run)) {
+        unchecked(run, codes::unsupported, run.here(),
+                  "this circle or polar block does not lie in the working plane, in which radius compensation, "
+                  "roundings, chamfers and contours of cycles do: it is run as a straight move",
+                  "end radius compensation (R0) before it");
+        straight_motion(run, programmed_target(run), run.modal.motion == Modal::rapid);
+        return true;
+    }
+    const int pole = std::exchange(run.modal.pole_plane, 0), working = std::exchange(run.modal.plane, pole);
+    const bool moved = path_motion(run);
+    run.modal.plane = working;
+    run.modal.pole_plane = pole;
+    run.last_direction = {};
+    return moved;
+}
+
 }  // namespace
 
 bool path_motion(Moving& run) {
     const BlockWords& b = run.block;
+    const bool about_pole = b.has(Code::centre_at_pole) || (b.present & polar_words) != 0;
+    if (about_pole && run.modal.pole_plane != 0) return motion_across(run);
     const Modal m = run.modal.motion;
     geom::Vec3 to = programmed_target(run);
     if (b.has(Code::line_angle) && !line_by_angle(run, to)) return false;

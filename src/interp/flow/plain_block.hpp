@@ -20,7 +20,10 @@ namespace obrys::interp {
 
 /// Runs a block that begins like one of these where it is one; false where it is none.
 [[nodiscard]] bool runs_plain_block(Cycling&, const program::Statement&, std::uint32_t index);
-/// Any other statement that changes nothing of what is in force: conditions and loops, variables of the program.
-[[nodiscard]] bool keeps_plain_kinds(const Reckoning&, const program::Statement&, std::uint32_t index);
+/// Conditions and loops: they change nothing of what is in force.
+[[nodiscard]] bool keeps_plain_kinds(const program::Statement&);
+/// Runs a block that does nothing but assign to variables of the program, while kinds are known: it changes nothing of
+/// what is in force, nor of the words that the last plain block has left. False where it is none.
+[[nodiscard]] bool runs_assignments(Calling&, const program::Statement&, std::uint32_t index);
 
 }  // namespace obrys::interp

@@ -89,7 +89,7 @@ void spline(Moving& run, const Special& s) {
     check_start(run, record);
     if (run.stopped) return;
     const PlaneAxes a = plane_axes(run.modal.plane);
-    run.last_direction = -1.0 * in_plane(k[0], a);  // at t = 0 the curve runs against its parameter
+    run.last_direction = path::EndDirection(-1.0 * in_plane(k[0], a));  // at t = 0 the curve runs against its parameter
     arrive(run, to);
     if (!has_too_many_axes(run, record)) emit(run, std::move(record));
 }

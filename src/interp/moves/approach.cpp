@@ -173,7 +173,7 @@ void departure(Moving& run, const Special& s, Modal compensation_before) {
         compensation = {};  // selected, but it never came into force: the tool stands on the contour
     path::ContourEnd contour;
     contour.at = in_plane(at, a);
-    contour.direction = run.last_direction;
+    contour.direction = run.last_direction.get();
     contour.side = compensation.side;
     contour.tool_radius = compensation.radius;
     contour.w = coordinate(at, a.w);
@@ -199,7 +199,7 @@ void departure(Moving& run, const Special& s, Modal compensation_before) {
     coordinate(end, a.v) = p.path.back().to.y;
     coordinate(end, a.w) = p.path.back().w_to;
     for (const path::Element& e : p.path)  // the tangent of what may follow is that of the way off the contour
-        if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
+        if (path::moves_in_plane(e)) run.last_direction = path::EndDirection(e);
     arrive(run, end);
 }
 

@@ -134,20 +134,32 @@ bool no_centre_fits(Saying& run, const path::ArcResult& arc, Vec2 from, const pa
     return true;
 }
 
+/// Runs an arc whose words have been resolved.
+void run_planar(Moving& run, const Vec3& target, const PlaneAxes& a, const path::ArcResult& arc) {
+    const Vec2 from = in_plane(run.programmed_position, a);
+    if (no_centre_fits(run, arc, from, arc_tolerance(run))) return straight_motion(run, target, false);
+    Vec3 to = target;
+    coordinate(to, a.u) = arc.to.x;
+    coordinate(to, a.v) = arc.to.y;
+    const double w_from = coordinate(run.programmed_position, a.w), w_to = coordinate(target, a.w);
+    plane_element(run, {from, arc.to, w_from, w_to, arc.centre, arc.sweep, 0, {}}, to, false);
+}
+
 }  // namespace
 
 bool arc_motion(Moving& run, const Vec3& target) {
+    const PlaneAxes a = plane_axes(run.modal.plane);
+    const Vec2 start = in_plane(run.programmed_position, a), end = in_plane(target, a);
+    if (const path::ArcResult arc = usual_arc(run, start, end, a); arc.ok())
+        return run_planar(run, target, a, arc), true;
     if (runs_straight(run)) return straight_motion(run, target, false), true;
-    if (!geom::is_finite(run.programmed_position) || !geom::is_finite(target)) {
-        const PlaneAxes a = plane_axes(run.modal.plane);
-        const Vec2 from = in_plane(run.programmed_position, a), to = in_plane(target, a);
-        if (!std::isfinite(from.x) || !std::isfinite(from.y) || !std::isfinite(to.x) || !std::isfinite(to.y)) {
-            unchecked(run, codes::unknown_value, run.here(),
-                      "the arc starts at a position that is not known: it is run as a straight move",
-                      "position both axes of the plane before the arc");
-            straight_motion(run, target, false);
-            return true;
-        }
+    const bool known = std::isfinite(start.x) && std::isfinite(start.y) && std::isfinite(end.x) && std::isfinite(end.y);
+    if (!known) {
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the arc starts at a position that is not known: it is run as a straight move",
+                  "position both axes of the plane before the arc");
+        straight_motion(run, target, false);
+        return true;
     }
     if (has_unknown_circle_word(run)) {
         unchecked(run, codes::unknown_value, run.here(),
@@ -163,7 +175,6 @@ bool arc_motion(Moving& run, const Vec3& target) {
     }
     if (run.modal.motion == Modal::arc_via) return tilted_arc(run, target);
     if (run.modal.motion == Modal::arc_about) return arc_about_axis(run, target);
-    const PlaneAxes a = plane_axes(run.modal.plane);
     const bool end_given = run.block.has(axis_code(a.u)) || run.block.has(axis_code(a.v)) ||
                            run.block.has(Code::polar_angle) || run.block.has(Code::polar_radius);
     if (end_given && run.block.has(Code::pole_angle)) {
@@ -171,31 +182,19 @@ bool arc_motion(Moving& run, const Vec3& target) {
               "the arc gives its end twice: by an angle about the pole and by a point", "write one of them");
         return false;
     }
-    const path::ArcResult arc = planar_arc(run, in_plane(run.programmed_position, a), in_plane(target, a), end_given, a,
-                                           coordinate(target, a.w) - coordinate(run.programmed_position, a.w));
+    const path::ArcResult arc =
+        planar_arc(run, start, end, end_given, a, coordinate(target, a.w) - coordinate(run.programmed_position, a.w));
     if (run.stopped) return false;
-    path::Element e;
-    e.from = in_plane(run.programmed_position, a);
-    e.w_from = coordinate(run.programmed_position, a.w);
-    e.w_to = coordinate(target, a.w);
-    Vec3 to = target;
     if (run.modal.motion == Modal::arc_tangent && arc.failure == path::ArcFailure::collinear) {
-        e.to = in_plane(target, a);  // straight ahead: the tangential arc is a line
-    } else if (!arc.ok()) {
-        if (stays(run, arc)) return straight_motion(run, target, false), true;
-        arc_alarm(run, arc);
-        return false;
-    } else if (no_centre_fits(run, arc, e.from, arc_tolerance(run))) {
-        return straight_motion(run, target, false), true;
-    } else {
-        e.to = arc.to;
-        e.centre = arc.centre;
-        e.sweep = arc.sweep;
-        coordinate(to, a.u) = arc.to.x;
-        coordinate(to, a.v) = arc.to.y;
+        // Straight ahead: the tangential arc is a line.
+        const double w_from = coordinate(run.programmed_position, a.w), w_to = coordinate(target, a.w);
+        plane_element(run, {start, end, w_from, w_to, {}, 0, 0, {}}, target, false);
+        return true;
     }
-    plane_element(run, std::move(e), to, false);
-    return true;
+    if (arc.ok()) return run_planar(run, target, a, arc), true;
+    if (stays(run, arc)) return straight_motion(run, target, false), true;
+    arc_alarm(run, arc);
+    return false;
 }
 
 }  // namespace obrys::interp

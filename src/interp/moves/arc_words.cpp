@@ -21,6 +21,8 @@ namespace {
 
 constexpr Code centre_words[3] = {Code::i, Code::j, Code::k};
 
+bool is_finite(Vec2 p) { return std::isfinite(p.x) && std::isfinite(p.y); }
+
 /// Centre in the plane: incremental from the start (a radius in a lathe's X), or I=AC(…) in workpiece coordinates.
 Vec2 centre_of(const Moving& run, const PlaneAxes& a) {
     const BlockWords& b = run.block;
@@ -129,12 +131,29 @@ path::ArcResult arc_about_words(Moving& run, Vec2 from, Vec2 to, path::Sense sen
 
 }  // namespace
 
+path::ArcResult usual_arc(const Moving& run, Vec2 from, Vec2 to, const PlaneAxes& a) {
+    constexpr std::uint64_t others = bit(Code::i1) | bit(Code::j1) | bit(Code::k1) | bit(Code::radius) |
+                                     bit(Code::opening_angle) | bit(Code::turns) | bit(Code::p) |
+                                     bit(Code::pole_angle) | bit(Code::centre_at_pole) | polar_words;
+    path::ArcResult none;
+    none.failure = path::ArcFailure::no_radius;
+    const BlockWords& b = run.block;
+    const Modal m = run.modal.motion;
+    const std::uint64_t centre = bit(centre_words[a.u]) | bit(centre_words[a.v]), across = bit(centre_words[a.w]);
+    if ((m != Modal::arc_cw && m != Modal::arc_ccw) || (b.present & (others | across)) != 0) return none;
+    if ((b.present & centre) == 0 || !is_finite(from) || !is_finite(to)) return none;
+    for (const int k : {a.u, a.v})
+        if (b.has(centre_words[k]) && std::isnan(b.peek(centre_words[k]))) return none;
+    const path::Sense sense = m == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
+    return path::arc_by_centre(from, to, centre_of(run, a), sense, 0, arc_tolerance(run));
+}
+
 path::ArcResult planar_arc(Moving& run, Vec2 from, Vec2 to, bool end_given, const PlaneAxes& a, double rise) {
     const BlockWords& b = run.block;
     const path::Sense sense =
         run.modal.motion == Modal::arc_cw ? path::Sense::clockwise : path::Sense::counter_clockwise;
     if (run.modal.motion == Modal::arc_tangent && !b.has(Code::centre_at_pole))
-        return path::arc_by_tangent(from, to, run.last_direction);
+        return path::arc_by_tangent(from, to, run.last_direction.get());
     const auto given = turns_of(run);
     if (!given) return {};
     const int turns = *given;

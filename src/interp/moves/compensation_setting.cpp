@@ -72,19 +72,6 @@ int table_nose_of(Reckoning& run, double radius) {
     return shop::table_orientation(nose_of(run, *run.tool.data));
 }
 
-/// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
-path::Setting held_move_setting(Reckoning& run, double radius) {
-    path::Setting s = path::held_move_preset(length_unit(run.modal));
-    if (run.modal.compensation == Modal::compensation_off) return s;
-    s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
-    s.radius = radius;
-    s.rapid = run.modal.motion == Modal::rapid;
-    // Also in a turned system the control counts the tip's place along the programmed axes.
-    if (run.modal.plane == 18)
-        s.tip = path::table_nose_offset(table_nose_of(run, radius), std::abs(radius)).value_or(geom::Vec2{});
-    return s;
-}
-
 std::string active_edge(const Reckoning& run) {
     if (run.tool.number == cl::unknown_tool) return "this tool";
     return "tool T" + std::to_string(run.tool.number) + " D" + std::to_string(run.tool.edge);
@@ -92,11 +79,12 @@ std::string active_edge(const Reckoning& run) {
 
 /// Compensation that changes nothing is said: no radius, none that is known, or none at all.
 void say_missing_radius(Reckoning& run, const std::optional<double>& radius) {
+    if (radius && *radius != 0) return;
     const shop::Tool* tool = run.tool.data;
     const bool turning =
         tool != nullptr && (tool->kind == shop::ToolKind::turning || tool->kind == shop::ToolKind::groove);
     const bool foreign = turning && run.env.machine.kind == shop::MachineKind::mill;
-    if (radius && (*radius != 0 || !turning)) return;
+    if (radius && !turning) return;
     const std::string what = "radius compensation with " + active_edge(run);
     if (!radius || foreign)
         return unchecked_once(run, codes::unknown_value, run.here(),
@@ -115,6 +103,22 @@ std::optional<double> radius_in_force(const Reckoning& run) {
     if (!std::isnan(run.modal.compensation_radius)) return run.modal.compensation_radius;
     if (run.tool.data == nullptr || run.tool.edge == 0) return std::nullopt;
     return compensation_radius(*run.tool.data);
+}
+
+/// Compensation that holds one move back: the radius may be negative, nothing is looked ahead.
+path::Setting held_move_setting(Reckoning& run) {
+    path::Setting s = path::held_move_preset(length_unit(run.modal));
+    if (run.modal.compensation == Modal::compensation_off) return s;
+    const std::optional<double> known = radius_in_force(run);
+    say_missing_radius(run, known);
+    const double radius = known.value_or(0);
+    s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
+    s.radius = radius;
+    s.rapid = run.modal.motion == Modal::rapid;
+    // Also in a turned system the control counts the tip's place along the programmed axes.
+    if (run.modal.plane == 18)
+        s.tip = path::table_nose_offset(table_nose_of(run, radius), std::abs(radius)).value_or(geom::Vec2{});
+    return s;
 }
 
 /// OFFN: the contour stands that much off. Beyond the middle of the tool the side would turn round.
@@ -136,13 +140,13 @@ void add_allowance(Reckoning& run, path::Setting& s) {
 }  // namespace
 
 path::Setting compensation_setting(Moving& run) {
+    if (run.traits->compensation_holds_move) return held_move_setting(run);
     path::Setting s;
     // The way off goes round the contour's end as the way on goes round its start.
     s.approach = run.modal.approach == Modal::approach_contour ? path::Approach::around : path::Approach::normal;
     s.corner =
         run.modal.corner == Modal::corner_intersection ? path::OuterCorner::intersection : path::OuterCorner::arc;
-    if (run.modal.compensation == Modal::compensation_off)
-        return run.traits->compensation_holds_move ? held_move_setting(run, 0) : s;
+    if (run.modal.compensation == Modal::compensation_off) return s;
     s.side = run.modal.compensation == Modal::compensation_left ? path::Side::left : path::Side::right;
     if (run.modal.corner_overshoot > 0 && s.corner == path::OuterCorner::arc)
         assume(run, run.here(),
@@ -162,9 +166,7 @@ path::Setting compensation_setting(Moving& run) {
     const shop::Tool* tool = run.tool.data;
     const std::optional<double> radius = radius_in_force(run);
     say_missing_radius(run, radius);
-    const double size = radius ? *radius : 0;
-    if (run.traits->compensation_holds_move) return held_move_setting(run, size);
-    s.radius = size + run.tool.delta_radius;
+    s.radius = radius.value_or(0) + run.tool.delta_radius;
     add_allowance(run, s);
     if (tool != nullptr && s.radius != 0 && run.modal.plane == 18 && run.env.machine.kind == shop::MachineKind::lathe)
         s.tip = path::nose_offset(nose_of(run, *tool), s.radius).value_or(geom::Vec2{});

@@ -209,7 +209,7 @@ FreeContour& contour_at(Moving& run, std::uint32_t index) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& p = run.programmed_position;
     std::optional<Vec2> direction;
-    if (geom::length(run.last_direction) > 0) direction = run.last_direction;
+    if (const Vec2 last = run.last_direction.get(); geom::length(last) > 0) direction = last;
     run.free_contour.at_hand =
         std::make_shared<FreeContour>(Vec2{coordinate(p, a.u), coordinate(p, a.v)}, direction, coordinate(p, a.w));
     run.free_contour.at_hand->unit = &run.unit();

@@ -22,8 +22,7 @@ std::uint32_t first_of(const Moving& run) {
 double home_of(const Moving& run, std::size_t axis) {
     if (const std::uint32_t first = first_of(run); first != 0) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(axis);
-        if (run.parameters.is_set(n) || run.env.stored != nullptr || run.env.tell_settings)
-            return run.parameters.get(n) * stored_unit(run, axis);
+        if (run.parameters.is_set(n) || holds_all(run)) return run.parameters.get(n) * stored_unit(run, axis);
     }
     const shop::MachineAxis* known = machine_axis(run, axis_name(axis));
     return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown_number;
@@ -88,7 +87,7 @@ namespace {
 /// G91 G28 Z0: by way of where the tool stands. Where that is not known, there is no move to a place that is not known.
 bool stands_by_way(const Moving& run, const geom::Vec3& by_way) {
     const auto moves = [&](int k) { return run.block.has(axis_code(k)) && run.block.peek(axis_code(k)) != 0; };
-    if (run.modal.absolute || geom::is_finite(by_way) || run.env.tell_settings) return false;
+    if (run.modal.absolute || geom::is_finite(by_way)) return false;
     for (int k = 0; k < 9; ++k)
         if (moves(k)) return false;
     return true;

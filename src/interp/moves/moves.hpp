@@ -46,6 +46,8 @@ void capture(Moving&, const path::Element& element, bool rapid);
 void extra_axes(Moving&);
 /// Before a move: datum, feed that was dropped.
 void begin_motion(Moving&);
+/// Before the first move in a tilted plane whose rotary axes a word of its own turns: that it has done so (plane.cpp).
+void judge_plane_taken_up(Moving&);
 void require_feed(Telling&);
 /// Straight move to `to` (programmed frame).
 void straight_motion(Moving&, const geom::Vec3& to, bool rapid);
@@ -59,6 +61,9 @@ void departure(Moving& run, const program::Special& s, Modal compensation_before
 [[nodiscard]] bool says_centre_across(Moving& run);
 [[nodiscard]] path::ArcResult planar_arc(Moving& run, geom::Vec2 from, geom::Vec2 to, bool end_given,
                                          const PlaneAxes& a, double rise);
+/// What nearly all arcs are: G2 or G3 from a known place to another, with a centre in the plane and no other word of a
+/// circle. Nothing of it is other than by planar_arc; a failure where it is none of these, or what it asks for fails.
+[[nodiscard]] path::ArcResult usual_arc(const Moving& run, geom::Vec2 from, geom::Vec2 to, const PlaneAxes& a);
 
 // --- line_angle.cpp
 /// ANG= (line_angle.cpp): `to` with what the angle says; false after a complaint.
@@ -111,6 +116,8 @@ void plane(Moving&, const program::Special&);
 /// Tells the stream where the rotary axes stand that the program has moved, whether that counts, and the tool's axis
 /// where it is another than before: by a rapid on the spot, since arcs do not say it.
 void tell_rotary(Telling&, const geom::Vec3& axis_before);
+/// The rotary axes as they stand go with the next move, but those of these letters.
+void take_rotary_along(Telling&, std::string_view without);
 /// How the tool stood before the plane changed, seen from the workpiece, and what MOVE says besides.
 struct BeforeSwivel {
     geom::Vec3 tip, axis;

@@ -47,6 +47,15 @@ path::CornerRequest corner_of_block(const Moving& run) {
 
 namespace {
 
+bool asks_corner(const BlockWords& b) {
+    return (b.present & (bit(Code::chamfer_length) | bit(Code::chamfer_leg) | bit(Code::round))) != 0;
+}
+
+/// Nothing has to do with a corner where this is not so.
+bool may_ask_corner(const Moving& run) {
+    return asks_corner(run.block) || run.block.has(Code::corner_feed) || run.modal.round_modal > 0;
+}
+
 /// Of the block's corner alone; 0: none of its own.
 double corner_feed(const Moving& run) {
     const BlockWords& b = run.block;
@@ -104,41 +113,41 @@ void PathStage::push(Moving& run, path::Element&& e, const path::Setting& s) {
 /// Compensation that begins or becomes another one.
 void PathStage::tell_begin(Moving& run, const path::Setting& s) {
     if (s.side == path::Side::off) return tell_end(run);
+    const auto side = s.side == path::Side::left ? cl::CompensationSide::left : cl::CompensationSide::right;
+    const double radius = radius_in_stream(run, s.radius);
+    const bool sharp = s.corner == path::OuterCorner::intersection;
+    const geom::Vec3 normal = plane_normal(run);
+    const bool goes_on =
+        told_ && told_->side == side && told_->radius == radius && told_->sharp == sharp && told_->normal == normal;
+    if (goes_on) return;
     const double number = run.block.has(Code::offset_d) ? run.block.peek(Code::offset_d) : run.modal.offset_d;
     cl::CompensationBegin begin;
-    begin.side = s.side == path::Side::left ? cl::CompensationSide::left : cl::CompensationSide::right;
-    begin.radius = radius_in_stream(run, s.radius);
+    begin.side = side;
+    begin.radius = radius;
+    begin.sharp = sharp;
+    begin.normal = normal;
     begin.given = run.modal.compensation_given;
     if (begin.given) begin.nose = base::whole<std::uint32_t>(run.modal.compensation_orientation, 0).value_or(0);
     if (!begin.given) begin.offset = base::whole<std::uint32_t>(number, 0).value_or(0);
     begin.approach = static_cast<cl::Approach>(s.approach);
-    begin.sharp = s.corner == path::OuterCorner::intersection;
-    begin.normal = plane_normal(run);
-    const bool goes_on = told_ && told_->side == begin.side && told_->radius == begin.radius &&
-                         told_->sharp == begin.sharp && told_->normal == begin.normal;
-    if (goes_on) return;
     tell_end(run);
     told_ = begin;
     hold({begin, run.here(), run.top().stack});
 }
 
 void PathStage::tell_programmed(Moving& run, const path::Element& e, bool rapid) {
-    std::optional<cl::Programmed> p = programmed_element(run, e, rapid, fixed_plane_);
-    if (!p) return;
-    if (const path::CornerRequest corner = corner_of_block(run);
-        corner.kind != path::CornerKind::none && std::isfinite(corner.size))
-        p->corner = static_cast<cl::Corner>(corner.kind), p->size = corner.size, p->corner_feed = corner_feed(run);
-    p->ends = run.ends;
-    hold({std::move(*p), run.here(), run.top().stack});
+    cl::Record& record = next_event();
+    auto& p = step_as<cl::Programmed>(record.step);
+    if (!programmed_element(run, e, rapid, fixed_plane_, p)) return;
+    if (may_ask_corner(run))
+        if (const path::CornerRequest corner = corner_of_block(run);
+            corner.kind != path::CornerKind::none && std::isfinite(corner.size))
+            p.corner = static_cast<cl::Corner>(corner.kind), p.size = corner.size, p.corner_feed = corner_feed(run);
+    p.ends = run.ends;
+    record.from = run.here();
+    record.stack = run.top().stack;
+    waiting_.push_back(static_cast<int>(event_count_++));
 }
-
-namespace {
-
-bool asks_corner(const BlockWords& b) {
-    return b.has(Code::chamfer_length) || b.has(Code::chamfer_leg) || b.has(Code::round);
-}
-
-}  // namespace
 
 void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const path::Setting& s) {
     if (!path::moves_in_plane(e)) return;
@@ -148,7 +157,7 @@ void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const pat
     if (limit.seen_past == 0) return;
     const bool joined = active_ && direction_ && s.side != path::Side::off && s.side == side_;
     if (joined && idle_blocks_ > limit.seen_past &&
-        std::abs(path::turn_between(*direction_, path::start_direction(e))) > straight_on)
+        std::abs(path::turn_between(direction_->get(), path::start_direction(e))) > straight_on)
         unchecked(
             run, codes::unsupported, run.here(),
             std::to_string(idle_blocks_) +
@@ -158,14 +167,13 @@ void PathStage::judge_idle_blocks(Saying& run, const path::Element& e, const pat
             "write them beside a move, before the compensation or behind it");
     idle_blocks_ = 0;
     side_ = s.side;
-    direction_ = path::end_direction(e);
+    direction_ = path::EndDirection(e);
 }
 
 void PathStage::take(Moving& run, path::Element&& e, const path::Setting& s, bool rapid) {
     judge_idle_blocks(run, e, s);
     e.tag = origins_.size();
     e.before = std::move(waiting_);
-    waiting_.clear();
     const double offset = s.side == path::Side::off ? 0 : s.side == path::Side::left ? s.radius : -s.radius;
     origins_.push_back({run.here(), run.top().stack, rapid || run.block.rapid, s.radius, offset, run.modal.plunge_part,
                         run.modal.feed_reference, s.clearance == path::Clearance::avoided, fixed_plane_,
@@ -173,7 +181,10 @@ void PathStage::take(Moving& run, path::Element&& e, const path::Setting& s, boo
     if (!active_) last_.reset();
     active_ = true;
     if (path::moves(e) && !path::moves_in_plane(e)) say_open_corner(run);
-    const path::CornerRequest corner = corner_request(run);
+    static const path::CornerRequest none{};
+    std::optional<path::CornerRequest> asked;
+    if (may_ask_corner(run)) asked = corner_request(run);
+    const path::CornerRequest& corner = asked ? *asked : none;
     if (asks_corner(run.block) && corner.kind != path::CornerKind::none && !path::moves_in_plane(e))
         say_no_corner(run, run.here(),
                       "there is no corner for this chamfer or rounding, which is left out: the block that it belongs "

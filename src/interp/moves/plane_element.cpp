@@ -15,7 +15,7 @@ using geom::Vec3;
 namespace {
 
 void remember_direction(Moving& run, const path::Element& e) {
-    if (path::moves_in_plane(e)) run.last_direction = path::end_direction(e);
+    if (path::moves_in_plane(e)) run.last_direction = path::EndDirection(e);
 }
 
 /// The element as seen in the plane that frames do not turn. An arc is no circle there.
@@ -52,8 +52,8 @@ void plane_element(Moving& run, path::Element&& e, const Vec3& to, bool rapid) {
     rapid = rapid || run.block.rapid;
     remember_direction(run, e);
     if (path::is_arc(e) && run.modal.feed_mode == cl::FeedMode::inverse_time)
-        tell_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
-    run.free_contour = {};
+        hear_inverse_feed(run, std::hypot(e.sweep * geom::length(e.from - e.centre), e.w_to - e.w_from));
+    if (run.free_contour.at_hand) run.free_contour = {};
     if (run.capture != nullptr)
         capture(run, e, rapid);
     else if (needs_path_stage(run)) {
@@ -69,18 +69,21 @@ void plane_element(Moving& run, path::Element&& e, const Vec3& to, bool rapid) {
     run.position = run.frame_is_identity ? to : geom::apply(run.frame, to);
 }
 
-std::optional<cl::Programmed> programmed_element(const Reckoning& run, const path::Element& e, bool rapid,
-                                                 bool in_stream_already) {
+bool programmed_element(const Reckoning& run, const path::Element& e, bool rapid, bool in_stream_already,
+                        cl::Programmed& out) {
     const PlaneView view(run, in_stream_already);
-    std::optional<cl::Programmed> p{std::in_place};
-    p->rapid = rapid;
-    p->from = view.at(e.from, e.w_from);
-    p->to = view.at(e.to, e.w_to);
-    if (!path::is_arc(e)) return p;
-    const std::optional<cl::Arc> arc = view.arc(e, rapid);
-    if (!arc) return std::nullopt;
-    p->centre = arc->centre, p->normal = arc->normal, p->sweep = arc->sweep;
-    return p;
+    const std::optional<Vec3> normal = path::is_arc(e) ? view.normal_of_circle() : Vec3{0, 0, 1};
+    if (!normal) return false;
+    out.from = view.at(e.from, e.w_from);
+    out.to = view.at(e.to, e.w_to);
+    out.centre = path::is_arc(e) ? view.at(e.centre, e.w_from) : Vec3{};
+    out.normal = *normal;
+    out.sweep = e.sweep;
+    out.rapid = rapid;
+    out.corner = cl::Corner::none;
+    out.size = out.corner_feed = 0;
+    out.ends.clear();
+    return true;
 }
 
 }  // namespace obrys::interp

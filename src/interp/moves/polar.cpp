@@ -118,13 +118,24 @@ geom::Vec3 polar_target(Moving& run, geom::Vec3 to) {
 
 namespace {
 
+/// Of two coordinates, one of them along the tool axis: the circle about it lies in their plane (iTNC 530, User's
+/// Manual, "Circular path C": C Z… X… with tool axis Z). 0: the working plane.
+int plane_of_pole(const Moving& run) {
+    const auto has = [&](int k) { return run.block.has(axis_code(k)); };
+    const PlaneAxes axes = plane_axes(run.modal.plane);
+    if (!has(axes.w) || has(axes.u) == has(axes.v)) return 0;
+    const int missing = has(axes.u) ? axes.v : axes.u;
+    return missing == 1 ? 18 : missing == 0 ? 19 : 17;
+}
+
 /// CC: absolute, or incremental from where the tool stands; without any coordinate there. A coordinate that is left out
 /// stays as it was.
 void give_pole(Moving& run) {
     const BlockWords& b = run.block;
     run.modal.pole_set = true;
     bool any = false;
-    const PlaneAxes axes = plane_axes(run.modal.plane);
+    run.modal.pole_plane = plane_of_pole(run);
+    const PlaneAxes axes = plane_axes(run.modal.pole_plane != 0 ? run.modal.pole_plane : run.modal.plane);
     for (const int k : {axes.u, axes.v}) any = any || b.has(axis_code(k));
     if (!any) run.modal.pole = run.programmed_position;
     for (const int k : {axes.u, axes.v}) {

@@ -14,7 +14,6 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::SettingKind;
 using geom::Vec3;
 
 namespace {
@@ -27,7 +26,7 @@ void refuse_curve(Saying& run, std::string text) { alarm(run, codes::value_range
 /// Compensation that was switched off without a move leaves the tool where it was.
 bool stands_beside(const Telling& run) {
     constexpr double same = 1e-6;  // mm
-    return !run.env.tell_settings && geom::is_finite(run.sent) && geom::distance(run.sent, run.position) > same;
+    return !run.env.stand_alone && geom::is_finite(run.sent) && geom::distance(run.sent, run.position) > same;
 }
 
 /// False after a complaint.
@@ -87,7 +86,7 @@ bool cubic(Moving& run) {
     const Vec3 first = b.has(Code::i) ? offset_of(run, Code::i, Code::j) : -1.0 * run.last_spline_end;
     run.last_spline_end = offset_of(run, Code::p, Code::q);
     const Vec3 second = to + run.last_spline_end;
-    tell(run, SettingKind::curve, 4);
+    hear(run, heard::Curve{4});
     const geom::Frame& f = run.frame;
     const geom::Cubic c =
         geom::bezier(geom::apply(f, from), geom::apply(f, from + first), geom::apply(f, second), geom::apply(f, to));
@@ -103,7 +102,7 @@ bool quadratic(Moving& run) {
         return false;
     }
     const Vec3 from = run.programmed_position, to = programmed_target(run);
-    tell(run, SettingKind::curve, 3);
+    hear(run, heard::Curve{3});
     const geom::Frame& f = run.frame;
     const geom::Cubic c =
         geom::bezier(geom::apply(f, from), geom::apply(f, from + offset_of(run, Code::i, Code::j)), geom::apply(f, to));
@@ -141,7 +140,7 @@ bool finish(Moving& run) {
     }
     if (pieces->deviation > 0)
         assume(run, run.here(), "rational curves are run as cubics that leave them by 0.001 mm at most");
-    tell(run, SettingKind::curve, static_cast<int>(n.curve.points.size()));
+    hear(run, heard::Curve{static_cast<int>(n.curve.points.size())});
     begin_at(run, placed.points.front().p);
     arrive(run, n.curve.points.back().p);
     for (const auto& piece : pieces->pieces) emit_curve(run, piece.curve);

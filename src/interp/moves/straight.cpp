@@ -40,7 +40,7 @@ void extra_axis(Telling& run, const std::string& name, double value, std::uint8_
     if (std::isnan(to))
         unchecked(run, codes::unknown_value, run.here(),
                   "where axis " + name + " goes depends on a value that is not known");
-    if (rotary && k != std::string_view::npos && !run.env.tell_settings && run.offsets.reference[k] != 0)
+    if (rotary && k != std::string_view::npos && !run.env.stand_alone && run.offsets.reference[k] != 0)
         unchecked_once(run, codes::unsupported, run.here(),
                        "the zero offset of the rotary axis " + name +
                            " is not followed: it is taken to stand where the "
@@ -85,16 +85,10 @@ void refuse_way_round(Saying& run, int axis) {
 geom::Vec3 cartesian_target(Moving& run) {
     const BlockWords& b = run.block;
     geom::Vec3 to = run.programmed_position;
-    const ModalState& m = run.modal;
-    const bool as_written = m.absolute && !m.inch_geometry && m.diameter == DiameterMode::off;
     for (int k = 0; k < 3; ++k) {
         const Code code = axis_code(k);
         if (!b.has(code)) continue;
         const std::uint8_t reference = b.ref(code);
-        if (as_written && reference == 0) {
-            coordinate(to, k) = b.get(code);
-            continue;
-        }
         const bool incremental = is_incremental(run, reference);
         const double factor = reference == 0 ? length_factor(run, k, incremental) : word_factor(run, k, reference);
         const double v = b.get(code) * factor;
@@ -110,7 +104,32 @@ geom::Vec3 cartesian_target(Moving& run) {
 
 }  // namespace
 
+namespace {
+
+/// The block's coordinates are the place, as the program writes them: absolute, in millimetres, none of them a
+/// diameter.
+bool is_place_as_written(const Moving& run) {
+    const BlockWords& b = run.block;
+    const ModalState& m = run.modal;
+    if (!m.absolute || m.inch_geometry || m.diameter != DiameterMode::off || run.look == Look::turned_subprogram ||
+        (b.present & polar_words) != 0)
+        return false;
+    for (const Code c : {Code::x, Code::y, Code::z})
+        if (b.has(c) && b.ref(c) != 0) return false;
+    return true;
+}
+
+}  // namespace
+
 geom::Vec3 programmed_target(Moving& run) {
+    if (is_place_as_written(run)) {
+        const BlockWords& b = run.block;
+        geom::Vec3 to = run.programmed_position;
+        if (b.has(Code::x)) to.x = b.get(Code::x);
+        if (b.has(Code::y)) to.y = b.get(Code::y);
+        if (b.has(Code::z)) to.z = b.get(Code::z);
+        return to;
+    }
     const geom::Vec3 to = cartesian_target(run);
     return (run.block.present & polar_words) != 0 ? polar_target(run, to) : to;
 }
@@ -120,7 +139,7 @@ namespace {
 /// A block that goes home, or to a machine position, names no place in the workpiece: it does not choose the zero in
 /// which stock and part are.
 bool names_no_place(const Moving& run) {
-    if (run.moved || !keeps_offsets(run) || run.env.tell_settings) return false;
+    if (run.moved || !keeps_offsets(run)) return false;
     if (run.block.suppress == Modal::suppress_all) return true;
     if (run.block.special != Modal::home) return false;
     for (int k = 0; k < 3; ++k)
@@ -166,6 +185,7 @@ void say_unknown_way(Telling& run) {
 void begin_motion(Moving& run) {
     if (names_no_place(run)) return;
     run.moved = true;
+    judge_plane_taken_up(run);
     emit_frame(run);
     if (keeps_offsets(run) && !run.offsets.length_judged) judge_length(run);
     if (!run.datum_known && !run.datum_complained && !goes_by_machine(run)) say_unknown_way(run);
@@ -184,12 +204,7 @@ path::Element straight_element(const geom::Vec3& at, const geom::Vec3& to, const
     const auto start = [&](int k) {
         return std::isfinite(coordinate(at, k)) ? coordinate(at, k) : coordinate(to, k) + 1000;
     };
-    path::Element e;
-    e.from = {start(a.u), start(a.v)};
-    e.to = {coordinate(to, a.u), coordinate(to, a.v)};
-    e.w_from = start(a.w);
-    e.w_to = coordinate(to, a.w);
-    return e;
+    return {{start(a.u), start(a.v)}, in_plane(to, a), start(a.w), coordinate(to, a.w), {}, 0, 0, {}};
 }
 
 }  // namespace
@@ -204,14 +219,23 @@ void capture(Moving& run, const path::Element& e, bool rapid) {
 
 namespace {
 
+/// Both coordinates of the plane follow from polar words, or the other one from an angle.
+bool names_with_others(const Moving& run, int axis) {
+    constexpr std::uint64_t both =
+        bit(Code::polar_radius) | bit(Code::polar_angle) | bit(Code::pole_angle) | bit(Code::line_angle);
+    const PlaneAxes plane = plane_axes(run.modal.plane);
+    return (run.block.present & both) != 0 && (axis == plane.u || axis == plane.v);
+}
+
 /// What the program has said, where the point on the workpiece does not tell that: in a turned frame a coordinate that
 /// is not known hides others, and behind a change of tools one that has not been said anew looks as though it had been.
 void tell_said(Moving& run) {
     std::array<bool, 3>& unsaid = run.unsaid_since_change;
+    const bool shows = run.frame_is_identity || geom::is_finite(run.position);
+    if (shows && unsaid == std::array<bool, 3>{}) return;
     for (int k = 0; k < 3; ++k)
-        if (run.block.has(axis_code(k))) unsaid[static_cast<std::size_t>(k)] = false;
-    const bool is_hidden = !run.frame_is_identity && !geom::is_finite(run.position);
-    if (!is_hidden && unsaid == std::array<bool, 3>{}) return;
+        if (run.block.has(axis_code(k)) || names_with_others(run, k)) unsaid[static_cast<std::size_t>(k)] = false;
+    if (shows && unsaid == std::array<bool, 3>{}) return;
     if (!geom::is_invertible(run.frame)) return;
     const geom::Vec3 seen = run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
     cl::MachinePlace place{cl::PlaceKind::frame};
@@ -233,30 +257,49 @@ void straight_motion(Moving& run, const geom::Vec3& to, bool rapid) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const geom::Vec3& at = run.programmed_position;
     const bool known = std::isfinite(coordinate(to, a.u)) && std::isfinite(coordinate(to, a.v));
-    if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) tell_inverse_feed(run, geom::length(to - at));
+    if (!rapid && run.modal.feed_mode == cl::FeedMode::inverse_time) hear_inverse_feed(run, geom::length(to - at));
     if (!known) flush_path(run);
     if (!known)  // there is no corner to put them on
         for (const Code c : {Code::chamfer_length, Code::chamfer_leg, Code::round, Code::corner_feed}) run.block.use(c);
     if (!known || !needs_path_stage(run)) {
         const geom::Vec2 step{coordinate(to, a.u) - coordinate(at, a.u), coordinate(to, a.v) - coordinate(at, a.v)};
-        if (step.x != 0 || step.y != 0) run.last_direction = step;
-        run.free_contour = {};
+        if (step.x != 0 || step.y != 0) run.last_direction = path::EndDirection(step);
+        if (run.free_contour.at_hand) run.free_contour = {};
         if (run.capture != nullptr) capture(run, straight_element(at, to, a), rapid);
         arrive(run, to);
         tell_said(run);
         const std::array<bool, 3> unsaid = run.unsaid_since_change;
-        emit_line(run, cl::Linear{run.position, run.tool_axis, rapid});
+        emit_line(run, rapid);
         run.unsaid_since_change = unsaid;
         return;
     }
     plane_element(run, straight_element(at, to, a), to, rapid);
 }
 
+namespace {
+
+/// F was programmed in another unit than the one in force.
+void say_void_feed(Reckoning& run) {
+    const cl::FeedMode mode = run.modal.feed_mode;
+    const std::string unit = mode == cl::FeedMode::per_rev      ? "mm per revolution"
+                             : mode == cl::FeedMode::per_minute ? "mm per minute"
+                                                                : "inverse time";
+    const std::string_view does = run.traits->feed_in_other_unit;
+    unchecked(run, codes::feed_missing, run.here(),
+              "no feed is programmed in " + unit + ", in which F counts from here on: " +
+                  (does.empty() ? "what the control makes of the last one is not known" : std::string(does)),
+              "write F beside or behind the word that changes its unit");
+}
+
+}  // namespace
+
 void require_feed(Telling& run) {
     if (run.spindle.doubtful) judge_stop(run);
     if (run.feed_valid || !run.feed_dropped) return;
     run.feed_dropped = false;
-    emit(run, cl::Feed{0, run.modal.feed_mode});
+    if (!(run.feed > 0)) return emit(run, cl::Feed{0, run.modal.feed_mode});
+    say_void_feed(run);
+    emit(run, cl::Feed{unknown_number, run.modal.feed_mode});
 }
 
 }  // namespace obrys::interp

@@ -27,13 +27,18 @@ geom::Vec3 from_along_machine(const Reckoning& run, const geom::Vec3& position) 
     return counted_as(run, position, {now.values, false}, now);
 }
 
-void tell_rotary(Telling& run, const Vec3& axis_before) {
+void take_rotary_along(Telling& run, std::string_view without) {
     const shop::Machine& m = run.env.machine;
     for (const std::size_t i : m.chain) {
         const auto at = run.extra_axes.find(m.axes[i].name);
+        if (m.axes[i].name.size() == 1 && without.find(m.axes[i].name[0]) != std::string_view::npos) continue;
         if (m.axes[i].rotary && at != run.extra_axes.end())
             take_along(run, axis_end(at->first, at->second, true, tilted(run)));
     }
+}
+
+void tell_rotary(Telling& run, const Vec3& axis_before) {
+    take_rotary_along(run, {});
     if (run.tool_axis == axis_before) return;
     emit_frame(run);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
@@ -60,6 +65,18 @@ Vec3 turned_about(const BeforeSwivel& before, const Vec3& axis) {
 }  // namespace
 
 void swivel(Moving& run, bool keeps_tip, bool rapid, const BeforeSwivel& was, const base::Span& where) {
+    // By its moves the program says where the tool goes on; what nobody knows is where its tip is in between.
+    if (run.aimed_at.empty() && tilted(run) && !keeps_tip) {
+        mark_turned_by_control(run);
+        update_frame(run);
+        begin_motion(run);
+        stand_at(run, {unknown_number, unknown_number, unknown_number});
+        emit(run, cl::Linear{run.position, run.tool_axis, true});
+        return assume(run, where,
+                      "the positions to which the rotary axes go for this plane depend on the machine's kinematics, "
+                      "which are not known: the tool is taken to stand on it",
+                      "name a machine with its rotary axes (chain, docs/machine-file.md)");
+    }
     if (run.aimed_at.empty()) {
         unchecked(run, codes::unsupported, where,
                   "the positions to which the rotary axes go for this plane depend on the machine's "

@@ -79,12 +79,10 @@ bool rigid_tap(Moving& run) {
     t.axis = run.tool_axis;
     t.pitch = run.block.get(Code::k) * length_unit(run.modal) * hand_of_spindle(run, from, to);
     t.rigid_tap = true;
-    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     for (const geom::Vec3& p : {to, from}) {
         arrive(run, p);
         t.to = run.position;
         emit(run, t);
-        if (p == to) tell(run, cl::SettingKind::synchronised, 0);
     }
     return true;
 }
@@ -120,11 +118,9 @@ bool thread_motion(Moving& run, const geom::Vec3& to) {
                   "no F stands in this block: by how much the pitch changes with every revolution is not known",
                   "write F, mm per revolution and revolution, behind G34 or G35");
     }
-    tell(run, cl::SettingKind::synchronised, 1, {std::abs(t.pitch)});
     arrive(run, to);
     t.to = run.position;
     emit(run, t);
-    tell(run, cl::SettingKind::synchronised, 0);
     return true;
 }
 

@@ -4,22 +4,17 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 namespace {
 
 /// A zero offset that is kept in parameters.
 void select_kept_datum(Telling& run, std::uint32_t number) {
-    const int place = static_cast<int>(place_of_datum(number));
-    if (run.modal.datum == number) return tell(run, SettingKind::datum_kept, place);
+    if (run.modal.datum == number) return hear(run, heard::SameZero{});
     flush_path(run);
     run.modal.datum = number;
     run.offsets.length_judged = false;
     load_datum(run);
     take_tip(run);
-    tell(run, SettingKind::datum, place, run.offsets.datum);
-    tell(run, SettingKind::shift, 0, run.offsets.shift);
-    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    hear(run, zero_in_force(run));
     update_frame(run);
 }
 

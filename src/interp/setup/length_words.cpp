@@ -10,7 +10,6 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::SettingKind;
 
 namespace {
 
@@ -57,6 +56,7 @@ void take_length(Moving& run, Modal m) {
     judge_anew(o);
     o.subtracts = m == Modal::tool_length_negative;
     const double offset = b.has(Code::offset_h) ? b.get(Code::offset_h) : o.number;
+    if (b.has(Code::offset_h) || !numbered) o.said_for = run.tool.number;
     o.length_tool = numbered ? base::cut<std::uint32_t>(offset).value_or(no_listed_tool) : run.tool.number;
     const bool ends = m == Modal::tool_length_off || (numbered && o.length_tool == 0);
     const bool of_tool = m == Modal::tool_length;
@@ -85,11 +85,8 @@ void say_length_may_move(Moving& run, Modal m) {
 void tell_length_word(Moving& run, Modal m) {
     if (m != Modal::tool_length && m != Modal::tool_length_negative) return;
     take_length(run, m);
-    const BlockWords& b = run.block;
-    const double h = b.has(Code::offset_h) ? b.peek(Code::offset_h) : run.tool.number;
-    const cl::ToolLength length{static_cast<std::int8_t>(m == Modal::tool_length ? 1 : -1),
-                                base::cut<std::uint32_t>(h).value_or(no_listed_tool),
-                                {}};
+    const cl::ToolLength length{
+        static_cast<std::int8_t>(m == Modal::tool_length ? 1 : -1), run.offsets.length_tool, {}};
     if (length == run.told.length) return;
     run.told.length = length;
     emit(run, length);
@@ -125,7 +122,7 @@ void tool_length_words(Moving& run, Modal m) {
         take_tip(run);
     } else {
         tell_length_word(run, m);
-        tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+        hear(run, heard::ToolOffset{run.offsets.tool});
     }
     run.offsets.is_not_given = !by;
     // By how much the tip's place along Z has changed is not known: what was said of it is said no longer.

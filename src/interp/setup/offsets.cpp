@@ -12,7 +12,6 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::SettingKind;
 
 namespace {
 
@@ -59,11 +58,11 @@ void say_unknown_return(Reckoning& run) {
 void say_shift_from_before(Telling& run, Modal m) {
     const std::uint32_t first = run.traits->offsets.shift_first;
     if (first == 0 || m == Modal::position_becomes) return;
-    const bool said = run.offsets.shift_said || run.env.stored != nullptr || run.env.tell_settings;
+    const bool said = run.offsets.shift_said || holds_all(run);
     bool kept = true;
     for (std::uint32_t k = 0; k < 3; ++k) kept = kept && run.parameters.is_set(first + k);
     run.offsets.shift_said = true;
-    if (m == Modal::position_restore && !kept && !run.env.tell_settings && run.env.stored == nullptr)
+    if (m == Modal::position_restore && !kept && !holds_all(run))
         return unchecked(run, codes::unknown_value, run.here(),
                          "the shift that is brought back is from before the program and is not known: taken as none",
                          "give the parameter file of the control with --var, or [variables] of the job");
@@ -127,13 +126,13 @@ void shift_words(Moving& run, Modal m) {
         if (m == Modal::position_reset || m == Modal::position_suspend) run.parameters.set(p.shift_active, 0);
         if (m == Modal::position_restore) run.parameters.set(p.shift_active, 1);
     }
-    tell(run, SettingKind::shift, 0, o.shift);
+    hear(run, heard::Shift{o.shift});
     update_frame(run);
 }
 
 void set_tool_offset(Telling& run, const Axes& to) {
     while_standing(run, [&] { run.offsets.tool = to; });
-    tell(run, SettingKind::tool_offset, 0, run.offsets.tool);
+    hear(run, heard::ToolOffset{run.offsets.tool});
 }
 
 /// Of what take_length has taken; `by`: the values where no number says them.

@@ -12,7 +12,6 @@
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::SettingKind;
 
 namespace {
 
@@ -105,7 +104,7 @@ void set_datum_data(Moving& run, bool from_position) {
         if (from_position && place != active && v) run.parameters.mark_set(n);
     }
     tell_zero(run, number_of_place(place), first, said, known);
-    if (place != active) return tell(run, SettingKind::datum_written, static_cast<int>(place));
+    if (place != active) return hear(run, heard::OtherZero{});
     const double turned = run.offsets.rotation;
     load_datum(run);
     if (run.offsets.rotation != turned && (run.offsets.shift[0] != 0 || run.offsets.shift[1] != 0))
@@ -114,8 +113,7 @@ void set_datum_data(Moving& run, bool from_position) {
             "R turns the system in force while G92 or G52 shifts it: LinuxCNC loses its place then and moves X and "
             "Y aside with the next move, a fault of its own that is not followed here",
             "cancel the shift before (G92.1) and set it again");
-    tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
-    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+    hear(run, heard::Zero{run.modal.datum, run.offsets.datum, {}, run.offsets.rotation});
     update_frame(run);
 }
 
@@ -136,7 +134,7 @@ shop::Tool* tool_of_block(Moving& run) {
         return t.number == static_cast<std::uint32_t>(*number);
     });
     if (found != run.tools.end()) return &*found;
-    if (run.env.tools.empty() && !run.env.tell_settings) return in_table_not_given(run, *number);
+    if (run.env.tools.empty() && !run.env.stand_alone) return in_table_not_given(run, *number);
     alarm(run, codes::value_range, run.here(), "G10: tool " + std::to_string(*number) + " is not in the tool table",
           "add a row for it to the table");
     return nullptr;
@@ -176,7 +174,7 @@ void set_radius(shop::Tool& t, double radius) {
 void compare_nose(Saying& run, const shop::Tool& t) {
     const auto job = std::find_if(run.env.tools.begin(), run.env.tools.end(),
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
-    if (run.env.tell_settings || job == run.env.tools.end() || job->kind != shop::ToolKind::turning) return;
+    if (run.env.stand_alone || job == run.env.tools.end() || job->kind != shop::ToolKind::turning) return;
     constexpr double same = 1e-6;  // mm
     if (std::abs(t.nose_radius - job->nose_radius) < same && table_orientation(t) == table_orientation(*job)) return;
     assume(run, run.here(),
@@ -226,10 +224,10 @@ void set_tool_data(Moving& run, int l) {
     const bool loaded = run.tool.data == t || (run.tool.number == 0 && place == 1);
     for (const int entry : {place, 0}) {
         if (entry == 0 && !loaded) continue;
-        tell_tool_entry(run, entry, static_cast<int>(t->number),
-                        {table.offset[0], table.offset[1], t->length, table.offset[3], table.offset[4], table.offset[5],
-                         table.offset[6], table.offset[7], table.offset[8], table.front_angle, table.back_angle,
-                         static_cast<double>(table.orientation)});
+        heard::ToolEntry row{
+            entry, static_cast<int>(t->number), table.offset, table.front_angle, table.back_angle, table.orientation};
+        row.offset[2] = t->length;
+        hear(run, row);
     }
     if (loaded) take_tip(run);
 }

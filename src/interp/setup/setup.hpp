@@ -129,7 +129,7 @@ void set_data(Moving&, program::DataTable table);
 
 // --- tell_words.cpp
 /// In inverse time mode: the feed per minute that follows from the length of the programmed move, mm.
-void tell_inverse_feed(Moving&, double length);
+void hear_inverse_feed(Moving&, double length);
 /// F, S, T and M of the block, in the order in which they act.
 void tell_technology(Moving&);
 

@@ -58,10 +58,16 @@ void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, cons
     if (run.stopped) return;
     flush_path(run);
     const Rotary before = rotary(run);
+    const bool was_tilted = tilted(run);
     place_transform(run, TransformKind::plane, plane);
+    // Behind a tilted plane that the control has turned the axes to, a level one is such a plane, too.
+    if (choice.by_control && was_tilted && !tilted(run)) run.modal.transforms.push_back({TransformKind::plane, plane});
     if (const auto at = find_transform(run, TransformKind::plane); at != run.modal.transforms.end())
-        at->turn = {sign_of(choice.side), choice.table_turns};
-    aim(run, choice, where);
+        at->turn = {sign_of(choice.side), choice.table_turns, choice.by_control};
+    if (choice.later)
+        run.aimed_at.clear();
+    else
+        aim(run, choice, where);
     recount(run, before);
     const geom::Vec3 normal = geom::apply_direction(run.modal.programmed, {0, 0, 1});
     if (!tilted(run) || geom::distance((1 / geom::length(normal)) * normal, run.tool_axis) < 1e-9) return;
@@ -69,6 +75,11 @@ void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, cons
               "a rotation or mirror image stands before this tilted plane and turns its normal: the tool's axis is not "
               "followed",
               "let the plane come first, or give its angles as they are turned");
+}
+
+void mark_turned_by_control(Reckoning& run) {
+    if (const auto at = find_transform(run, TransformKind::plane); at != run.modal.transforms.end())
+        at->turn.by_control = true;
 }
 
 void set_shift(Telling& run, const geom::Vec3& by) {

@@ -190,8 +190,8 @@ void judge_stop(Reckoning& run) {
     run.spindle.doubtful = false;
     if (run.spindle.direction == 0) return;
     assume(run, run.here(),
-           "STOP and M1 may stop the spindle, as machine and operator have it: it is taken to turn on, no M3 or M4 "
-           "stands behind",
+           "the stop of the program before it may stop the spindle, as machine and operator have it: it is taken to "
+           "turn on, no M3 or M4 stands behind",
            "write M3 behind the stop");
 }
 

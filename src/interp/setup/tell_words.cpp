@@ -7,11 +7,9 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
-void tell_inverse_feed(Moving& run, double length) {
-    if (!run.env.tell_settings || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
-    tell(run, SettingKind::feed_rate, 0, {std::max(0.1, length / length_unit(run.modal) * run.block.peek(Code::feed))});
+void hear_inverse_feed(Moving& run, double length) {
+    if (!run.listener || run.modal.feed_mode != cl::FeedMode::inverse_time) return;
+    hear(run, heard::FeedNumber{std::max(0.1, length / length_unit(run.modal) * run.block.peek(Code::feed))});
 }
 
 namespace {
@@ -28,16 +26,11 @@ int place_of(const Reckoning& run, std::uint32_t number) {
 
 void tell_tool(Moving& run) {
     const BlockWords& b = run.block;
-    const bool changes = run.block.has_m(6);
-    if (b.has(Code::tool)) tell(run, SettingKind::tool_selected, whole(b.peek(Code::tool)));
+    if (b.has(Code::tool)) hear(run, heard::ToolWord{whole(b.peek(Code::tool))});
     const int numbers = run.traits->tool_number_function;
     if (numbers != 0 && run.block.has_m(numbers) && b.has(Code::q) && b.peek(Code::q) >= 0)
-        tell(run, SettingKind::tool_numbered,
-             place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q))))));
-    if (changes)
-        tell(run, SettingKind::tool_changed,
-             place_of(run, b.has(Code::tool) ? static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::tool))))
-                                             : run.tool.prepared));
+        hear(run, heard::ToolNumbered{place_of(run, static_cast<std::uint32_t>(std::max(0, whole(b.peek(Code::q)))))});
+    if (run.block.has_m(6)) hear(run, heard::ToolChanged{});
 }
 
 /// M62 … M68 of controls that have them; of others they are functions of the machine.
@@ -55,11 +48,11 @@ void outputs(Moving& run) {
 
 void tell_spindle(Moving& run) {
     for (const int m : run.block.m) {
-        if (m >= 3 && m <= 5) tell(run, SettingKind::spindle_turn, m == 3 ? 1 : m == 4 ? -1 : 0);
+        if (m >= 3 && m <= 5) hear(run, heard::SpindleTurn{m == 3 ? 1 : m == 4 ? -1 : 0});
         if (m == 19)
-            tell(run, SettingKind::spindle_orient, run.block.has(Code::p) ? whole(run.block.peek(Code::p)) : 0,
-                 {run.block.has(Code::radius) ? run.block.peek(Code::radius) : 0,
-                  run.block.has(Code::q) ? run.block.peek(Code::q) : 0});
+            hear(run, heard::SpindleOrient{run.block.has(Code::radius) ? run.block.peek(Code::radius) : 0,
+                                           run.block.has(Code::p) ? whole(run.block.peek(Code::p)) : 0,
+                                           run.block.has(Code::q) ? run.block.peek(Code::q) : 0});
     }
 }
 
@@ -67,8 +60,8 @@ void set_overrides(Moving& run) {
     const BlockWords& b = run.block;
     const bool on = !b.has(Code::p) || b.peek(Code::p) != 0;
     for (const int m : b.m) {
-        if (m == 60) tell(run, SettingKind::pallet_change);
-        if (m >= 7 && m <= 9) tell(run, SettingKind::coolant, m);
+        if (m == 60) hear(run, heard::PalletChange{});
+        if (m >= 7 && m <= 9) hear(run, heard::CoolantWord{m});
         if (!is_own_function(run, m)) continue;
         if (m == 48 || m == 50 || m == 49) switch_override(run, cl::OverrideKind::feed, m == 48 || (m == 50 && on));
         if (m == 48 || m == 51 || m == 49) switch_override(run, cl::OverrideKind::spindle, m == 48 || (m == 51 && on));
@@ -82,13 +75,12 @@ void set_overrides(Moving& run) {
 void tell_technology(Moving& run) {
     const BlockWords& b = run.block;
     if (b.surface_word != 0)
-        tell(run, SettingKind::surface_speed, b.surface_word,
-             {b.surface_word == 97       ? 0
-              : b.has(Code::speed_limit) ? b.peek(Code::speed_limit)
-                                         : 1e30});
+        hear(run, heard::SpeedKind{b.surface_word == 97       ? 0
+                                   : b.has(Code::speed_limit) ? b.peek(Code::speed_limit)
+                                                              : 1e30});
     if (b.has(Code::feed) && run.modal.feed_mode != cl::FeedMode::inverse_time)
-        tell(run, SettingKind::feed_rate, 0, {b.peek(Code::feed)});
-    if (b.has(Code::spindle)) tell(run, SettingKind::spindle_speed, 0, {b.peek(Code::spindle)});
+        hear(run, heard::FeedNumber{b.peek(Code::feed)});
+    if (b.has(Code::spindle)) hear(run, heard::SpeedNumber{b.peek(Code::spindle)});
     if (b.m.empty() && !b.has(Code::tool)) return;
     outputs(run);
     tell_tool(run);

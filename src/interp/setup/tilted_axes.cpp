@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 #include "base/codes.hpp"
 #include "interp/setup/setup.hpp"
@@ -77,11 +78,11 @@ double table_turn(const shop::Chain& chain, std::vector<double> values, std::siz
     return std::atan2(geom::dot(about, geom::cross(now, x)), geom::dot(now, x));
 }
 
-/// Positions of the rotary axes for a tool axis, linear ones 0; those in the limits first. An angle is the one within
-/// half a turn of 0 where the limits let it, wherever the axis stands now. Nothing where the chain cannot be worked
-/// out.
-std::optional<std::vector<shop::AxisPosition>> rotary_positions(const shop::Chain& chain, const Vec3& axis) {
-    shop::AxisPositions all = shop::positions_for(chain, {{}, axis}, 0);
+/// Positions of the rotary axes for a tool axis, linear ones 0; those in the limits first. An angle is the one nearest
+/// to `near` that the limits let; without that within half a turn of 0. Nothing where the chain cannot be worked out.
+std::optional<std::vector<shop::AxisPosition>> rotary_positions(const shop::Chain& chain, const Vec3& axis,
+                                                                std::span<const double> near) {
+    shop::AxisPositions all = shop::positions_for(chain, {{}, axis}, 0, near);
     if (all.reach == shop::Reach::unsuitable) return std::nullopt;
     for (shop::AxisPosition& p : all.positions) {
         p.outside.clear();  // of the linear axes, which go elsewhere
@@ -115,6 +116,45 @@ const shop::AxisPosition* chosen(const std::vector<shop::AxisPosition>& all, std
         if (p.in_limits() != best->in_limits()) continue;  // those in the limits come first
         const double longer = way(p) - way(*best);
         if (longer < -same_turn || (longer < same_turn && p.values[master] > best->values[master])) best = &p;
+    }
+    return best;
+}
+
+/// Rotary joints, the one that carries the others first, those of the table before those of the head.
+std::vector<std::size_t> carriers_first(const shop::Chain& chain) {
+    std::vector<std::size_t> table, head;
+    bool behind_linear = false;
+    for (std::size_t i = 0; i < chain.joints.size(); ++i) {
+        behind_linear = behind_linear || !chain.joints[i].rotary;
+        if (chain.joints[i].rotary) (behind_linear ? head : table).push_back(i);
+    }
+    std::reverse(table.begin(), table.end());
+    table.insert(table.end(), head.begin(), head.end());
+    return table;
+}
+
+/// The position whose first axis has the shorter way, then the second one; then whose first axis stands nearer to 0,
+/// then the second one. Source: Traits::first_rotary_axis_decides.
+const shop::AxisPosition* chosen_by_first_axis(const std::vector<shop::AxisPosition>& all, const shop::Chain& chain,
+                                               const std::vector<double>& now, bool& tie) {
+    const auto from_zero = [](double v) { return std::abs(std::remainder(v, 2 * geom::pi)); };
+    const auto longer = [&](const shop::AxisPosition& p, const shop::AxisPosition& q) {
+        for (const bool way : {true, false})
+            for (const std::size_t i : carriers_first(chain)) {
+                const double d = way ? std::abs(p.values[i] - now[i]) - std::abs(q.values[i] - now[i])
+                                     : from_zero(p.values[i]) - from_zero(q.values[i]);
+                if (std::abs(d) > same_turn) return d;
+            }
+        return 0.0;
+    };
+    const shop::AxisPosition* best = nullptr;
+    tie = false;
+    for (const shop::AxisPosition& p : all) {
+        if (best != nullptr && p.in_limits() != best->in_limits()) continue;  // those in the limits come first
+        const double by = best == nullptr ? -1 : longer(p, *best);
+        const std::size_t first = carriers_first(chain).front();
+        if (by == 0) tie = true;
+        if (by < 0 || (by == 0 && p.values[first] > best->values[first])) best = &p;
     }
     return best;
 }
@@ -164,10 +204,18 @@ void aim(Reckoning& run, const TiltChoice& choice, const base::Span& where) {
         run.aimed_at.assign(now.size(), 0);
         return tell_positions(run, chain);
     }
-    const auto turned = rotary_positions(chain, in_table(run, run.tool_axis));
+    const bool by_first = run.traits->first_rotary_axis_decides;
+    const auto turned =
+        rotary_positions(chain, in_table(run, run.tool_axis), by_first ? std::span(now) : std::span<const double>());
     if (!turned) return tell_positions(run, chain);
-    const std::size_t master = master_axis(chain);
-    const shop::AxisPosition* best = chosen(*turned, master, choice.side, now);
+    bool tie = false;
+    const shop::AxisPosition* best = by_first ? chosen_by_first_axis(*turned, chain, now, tie)
+                                              : chosen(*turned, master_axis(chain), choice.side, now);
+    if (tie)
+        assume(run, where,
+               "both positions of the rotary axes lie as near: the one with the greater value of " +
+                   chain.joints[carriers_first(chain).front()].name + " is taken",
+               "position the rotary axes before");
     if (best == nullptr || !best->in_limits())
         return alarm(run, codes::value_range, where,
                      best == nullptr

@@ -17,6 +17,8 @@ struct Rotary {
 struct TiltChoice {
     double side = 0;           ///< SEQ: sign of the master axis; 0: the nearer one in the limits
     bool table_turns = false;  ///< TABLE ROT
+    bool later = false;        ///< a word of its own will turn the axes, and chooses then
+    bool by_control = false;   ///< the tool stands on the plane, whoever turns the axes
 };
 
 // --- tilted_axes.cpp
@@ -29,6 +31,8 @@ void stand_at(Reckoning& run, const geom::Vec3& position);
 [[nodiscard]] Rotary rotary(const Reckoning&);
 /// A tilted plane is in force.
 [[nodiscard]] bool tilted(const Reckoning&);
+/// The control has turned the rotary axes to the plane in force; where they stand is not known (shift.cpp).
+void mark_turned_by_control(Reckoning&);
 /// Where the rotary axes go for the plane in force; sets the control's own parameters for it.
 void aim(Reckoning&, const TiltChoice& choice, const base::Span& where);
 /// The rotary axes, or what counts of them, are as they are now and were as in `before`; the linear axes stood: where

@@ -22,7 +22,7 @@ void compare_radius(Saying& run, const shop::Tool& t, const shop::Tool& job) {
         return x.radius - (p == x.parameters.end() ? 0 : p->second);
     };
     const double radius = nominal(t), given = nominal(job);
-    if (run.env.tell_settings || given == 0 || !(std::abs(radius - given) >= same)) return;
+    if (run.env.stand_alone || given == 0 || !(std::abs(radius - given) >= same)) return;
     assume(run, run.here(),
            "the program sets the radius of tool " + std::to_string(t.number) + " to " + base::fixed(radius, 3) +
                " mm, and the tool list gives " + base::fixed(given, 3) +
@@ -39,7 +39,7 @@ void compare_with_job(Saying& run, const shop::Tool& t) {
                                   [&](const shop::Tool& x) { return x.number == t.number && x.edge == t.edge; });
     if (job != run.env.tools.end() && run.env.machine.kind == shop::MachineKind::mill) compare_radius(run, t, *job);
     const double length = t.length + t.delta_length;
-    if (run.env.tell_settings || job == run.env.tools.end() || job->length == 0 ||
+    if (run.env.stand_alone || job == run.env.tools.end() || job->length == 0 ||
         std::abs(length - job->length - job->delta_length) < same)
         return;
     const std::string parts =

@@ -5,6 +5,7 @@
 
 #include "base/codes.hpp"
 #include "base/number.hpp"
+#include "cl/unknown_tool.hpp"
 #include "interp/complaints.hpp"
 #include "interp/setup/setup.hpp"
 
@@ -109,6 +110,25 @@ bool names_height(const Moving& run) {
     return !is_incremental(run, b.ref(Code::z)) || !std::isnan(run.programmed_position.z);
 }
 
+/// No list says how long the tools are: that a length is another tool's shows in its number all the same. One that the
+/// program says for this tool, and that is no other tool's of the program so far, may be a further offset of it.
+void judge_unlisted(Moving& run) {
+    Offsets& o = run.offsets;
+    const std::uint32_t tool = run.tool.number;
+    const bool of_other = o.length == Length::of_tool && o.length_tool != tool;
+    const bool is_known = tool != cl::unknown_tool && o.length_tool != cl::unknown_tool;
+    if (!of_other || tool == 0 || !is_known) return;
+    if (run.modal.motion == Modal::rapid && !names_height(run)) return;
+    o.length_judged = true;
+    const std::string moves =
+        tool_text(tool) + " moves with the length compensation of H" + std::to_string(o.length_tool);
+    const std::string remedy = "program G43 H" + std::to_string(tool);
+    if (o.said_for != tool || run.tools_called.contains(o.length_tool))
+        return unchecked(run, codes::unknown_value, run.here(), moves + ": where its tip is is not known",
+                         remedy + ", or give the tool table of the control");
+    assume(run, run.here(), moves + ", which is taken as one of its own", remedy + " if it is not");
+}
+
 /// A rapid move to a height: where lengths are compensated in this program, or the zero is another tool's, nobody knows
 /// where its tip comes to stand. A zero is not taken by it.
 void judge_rapid(Moving& run, const shop::Tool& t) {
@@ -143,10 +163,11 @@ void judge_length(Moving& run) {
     Offsets& o = run.offsets;
     const shop::Tool* t = run.tool.data;
     const Modal m = run.modal.motion;
-    if (run.env.tell_settings) return;  // the calls of LinuxCNC's interpreter, which does not judge
+    if (run.env.stand_alone) return;  // there is no workpiece
     const bool machine = run.block.suppress != Modal::linear || run.block.special == Modal::home;
-    if (run.env.machine.kind != shop::MachineKind::mill || t == nullptr || machine || run.capture != nullptr) return;
+    if (run.env.machine.kind != shop::MachineKind::mill || machine || run.capture != nullptr) return;
     if (m == Modal::canned_off || m == Modal::probe) return;  // a probe may be what finds the length
+    if (t == nullptr) return judge_unlisted(run);
     if (m == Modal::rapid) return judge_rapid(run, *t);
     o.length_judged = true;
     const bool at_change = run.env.tool_lengths == ToolLengths::at_change;

@@ -55,6 +55,7 @@ void emit_tool(Telling& run, bool standing = false) {
     std::pair<std::uint32_t, std::string> now{change.number, change.name};
     if (!standing && now != run.changed_to) run.unsaid_since_change = {true, !lathe, true};
     run.changed_to = std::move(now);
+    if (change.number != 0) run.tools_called.insert(change.number);
     judge_anew(run.offsets);
     take_tip(run);
     if (!standing) say_length_axis(run);

@@ -7,8 +7,6 @@
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
 namespace {
 
 /// mm (degrees) of a parameter that holds a coordinate of this axis.
@@ -91,41 +89,47 @@ void take_as_reference(Telling& run) {
 
 }  // namespace
 
-void load_datum(Telling& run) {
+KeptZero kept_zero(const Reckoning& run, std::uint32_t number) {
     const program::OffsetParameters& p = run.traits->offsets;
-    const std::uint32_t place = place_of_datum(run.modal.datum) - 1;
-    const auto held = first_of_datum(run, run.modal.datum);
+    const auto held = first_of_datum(run, number);
     const bool kept = held.has_value();
     const std::uint32_t first = held.value_or(0);
-    Offsets& o = run.offsets;
-    bool known = run.env.stored != nullptr || run.env.tell_settings;
+    bool known = holds_all(run);
     for (std::uint32_t k = 0; k < p.datum_step && kept; ++k) known = known || run.parameters.is_set(first + k);
-    const auto job = run.env.machine.datums.find(run.modal.datum);
+    const auto job = run.env.machine.datums.find(number);
+    KeptZero zero;
     if (kept && (known || job == run.env.machine.datums.end())) {
         for (std::size_t k = 0; k < 9; ++k)
-            o.datum[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
-        o.rotation = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
-        run.datum_known = is_place_known(run);
-        take_as_reference(run);
-        if (p.active_datum != 0) run.parameters.set(p.active_datum, place + 1);
-        return;
+            zero.at[k] = stored(run, first + static_cast<std::uint32_t>(k), k) + external(run, k);
+        zero.turn = p.rotation == 0 ? 0 : run.parameters.get(first + p.rotation);
+        zero.from = KeptZero::From::parameters;
+        return zero;
     }
-    o.datum = {};
-    o.rotation = 0;
-    run.datum_known = is_place_known(run);
-    if (job == run.env.machine.datums.end()) return take_as_reference(run);
+    if (job == run.env.machine.datums.end()) return zero;
+    zero.from = KeptZero::From::job;
     for (int k = 0; k < 3; ++k)
         if (const double v = coordinate(job->second, k); !std::isnan(v))
-            o.datum[static_cast<std::size_t>(k)] = v + external(run, static_cast<std::size_t>(k));
-    if (const auto turned = run.env.machine.datum_rotations.find(run.modal.datum);
+            zero.at[static_cast<std::size_t>(k)] = v + external(run, static_cast<std::size_t>(k));
+    if (const auto turned = run.env.machine.datum_rotations.find(number);
         turned != run.env.machine.datum_rotations.end())
-        o.rotation = geom::degrees(turned->second);
+        zero.turn = geom::degrees(turned->second);
+    return zero;
+}
+
+void load_datum(Telling& run) {
+    const KeptZero zero = kept_zero(run, run.modal.datum);
+    run.offsets.datum = zero.at;
+    run.offsets.rotation = zero.turn;
+    run.datum_known = is_place_known(run);
+    if (zero.from != KeptZero::From::job) take_as_reference(run);
+    if (const auto shown = run.traits->offsets.active_datum; shown != 0 && zero.from == KeptZero::From::parameters)
+        run.parameters.set(shown, place_of_datum(run.modal.datum));
 }
 
 void datum_changed(Telling& run) {
     flush_path(run);
     load_datum(run);
-    tell(run, SettingKind::datum, static_cast<int>(place_of_datum(run.modal.datum)), run.offsets.datum);
+    hear(run, heard::Zero{run.modal.datum, run.offsets.datum, {}, {}});
     update_frame(run);
 }
 
@@ -161,7 +165,7 @@ geom::Frame offset_frame(Telling& run) {
         // The job's bodies stand where its own zero is, whatever the program writes there before it moves.
         if (const auto job = run.env.machine.datums.find(run.modal.datum); job != run.env.machine.datums.end())
             for (int k = 0; k < 3; ++k)
-                if (const double v = coordinate(job->second, k); !std::isnan(v) && !run.env.tell_settings)
+                if (const double v = coordinate(job->second, k); !std::isnan(v))
                     o.reference[static_cast<std::size_t>(k)] = v;
     }
     for (std::size_t k = 0; k < 9; ++k) o.total[k] = o.datum[k] + o.shift[k] + o.tool[k] - o.reference[k];

@@ -14,10 +14,14 @@ namespace codes = base::codes;
 
 namespace {
 
-/// The run's record goes out, from where the run is.
-void send_record(Telling& run) {
+/// The run's record comes from where the run is.
+void place_record(Telling& run) {
     run.record.from = run.along != nullptr ? run.along->where : run.here();
     run.record.stack = run.along != nullptr ? run.along->stack : run.top().stack;
+}
+
+void send_record(Telling& run) {
+    place_record(run);
     if (run.path->holds() && !cl::is_move(run.record.step))
         run.path->hold(run.record);
     else
@@ -32,10 +36,16 @@ void emit(Telling& run, cl::Step step) {
     send_record(run);
 }
 
-void emit_line(Telling& run, cl::Linear line) {
+void emit_line(Telling& run, bool rapid) {
     if (run.capture != nullptr) return;
-    put_step(run.record.step, std::move(line));
-    send_record(run);
+    cl::Linear& line = step_as<cl::Linear>(run.record.step);
+    line.to = run.position;
+    line.axis = run.tool_axis;
+    line.rapid = rapid;
+    line.seek = cl::Seek::nothing;
+    line.ends.clear();
+    place_record(run);
+    send_plain(run, run.record);
 }
 
 void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {
@@ -73,7 +83,7 @@ geom::Vec3 stream_origin(const Reckoning& run) {
         origin = found->second;
     else if (run.reference_datum == program::no_datum && run.traits->datum.none_is_machine_zero && !known.empty())
         origin = {};  // the machine's own zero
-    for (int k = 0; k < 3 && keeps_offsets(run) && !run.env.tell_settings; ++k)
+    for (int k = 0; k < 3 && keeps_offsets(run); ++k)
         if (is_datum_given(run, static_cast<std::size_t>(k)) && run.offsets.given[static_cast<std::size_t>(k)])
             coordinate(origin, k) = run.offsets.reference[static_cast<std::size_t>(k)];
     if (run.env.machine.datum_rotations.contains(run.reference_datum)) origin.x = origin.y = unknown_number;
@@ -149,7 +159,7 @@ void emit_datum(Telling& run) {
     const cl::Datum selected{run.modal.datum, selected_origin(run), is_none_by_word(run, run.modal.datum)};
     const bool again = selected.number == told.datum.number && selected.selected == told.datum.selected &&
                        cl::way(told.datum, selected) == geom::Vec3{};
-    if (again || run.env.tell_settings) return;
+    if (again) return;
     // Where no zero was selected before, it is taken to be that of the stream.
     const bool is_first = told.datum.number == program::no_datum && selected.number == told.first.number;
     if (!is_first) forget_places(run, told.datum.origin, selected.origin);

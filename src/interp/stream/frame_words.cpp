@@ -25,7 +25,7 @@ void update_frame(Telling& run) {
     }
     run.programmed_position =
         run.frame_is_identity ? run.position : geom::apply(geom::inverse(run.frame), run.position);
-    tell_frame(run);
+    if (run.statement != nullptr) hear(run, heard::Counting{run.frame, run.offsets.total});
 }
 
 namespace {

@@ -12,9 +12,14 @@ namespace obrys::interp {
 
 namespace codes = base::codes;
 
+cl::Record& PathStage::next_event() {
+    if (event_count_ == events_.size()) events_.emplace_back();
+    return events_[event_count_];
+}
+
 int PathStage::keep(cl::Record&& record) {
-    events_.push_back(std::move(record));
-    return static_cast<int>(events_.size()) - 1;
+    next_event() = std::move(record);
+    return static_cast<int>(event_count_++);
 }
 
 int PathStage::feed_event(const Reckoning& run, double feed) {
@@ -55,18 +60,16 @@ void PathStage::send_event(Telling& run, const cl::Record& record) {
     send(run, record);
 }
 
+void PathStage::send_kept(Telling& run, int event) {
+    if (event >= 0) return send_event(run, events_[static_cast<std::size_t>(event)]);
+    const HeardThere& there = heard_[static_cast<std::size_t>(-1 - event)];
+    if (run.listener) (*run.listener)(there.what, there.from);
+}
+
 void say_no_corner(Reckoning& run, const base::Span& where, const char* text, const char* remedy) {
     if (run.capture != nullptr) return;
     if (run.traits->corner_may_be_tangential) return assume(run, where, text, remedy);
     unchecked(run, codes::unsupported, where, text, remedy);
-}
-
-void PathStage::end_block(const Reckoning& run) {
-    if (run.modal.compensation == Modal::compensation_off)
-        idle_blocks_ = 0;
-    else if (!block_moved_)
-        ++idle_blocks_;
-    block_moved_ = false;
 }
 
 /// The path's radius by that of the contour, where the feed is to hold at the cutting edge; else 1.
@@ -80,15 +83,17 @@ double PathStage::arc_feed(const Origin& origin, const path::Output& out) {
 }
 
 void PathStage::output(Telling& run, const path::Output& out) {
-    for (const int event : out.element.before) send_event(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : out.element.before) send_kept(run, event);
     // A zero move only brings its events, but for controls that run it.
     if (!path::moves(out.element) && (!run.traits->compensation_holds_move || out.kind == path::Kind::events)) return;
     Origin& origin = origins_[out.element.tag];
-    cl::AxisEnds later = std::exchange(run.ends, std::exchange(origin.ends, {}));
+    const bool takes_along = !run.ends.empty() || !origin.ends.empty();
+    cl::AxisEnds later;
+    if (takes_along) later = std::exchange(run.ends, std::exchange(origin.ends, {}));
     run.record.from = origin.from;
     run.record.stack = origin.stack;
     run.feed_shape.plunge = origin.plunge_part;
-    run.feed_shape.arc = arc_feed(origin, out);
+    if (run.feed_shape.on) run.feed_shape.arc = arc_feed(origin, out);
     const auto emit_one = [&](const path::Element& e) { emit_element(run, e, origin.rapid, origin.fixed_plane); };
     last_ = out.element.to;
     if (out.kind == path::Kind::transition && !run.traits->outer_corner_setting.empty() &&
@@ -101,10 +106,15 @@ void PathStage::output(Telling& run, const path::Output& out) {
         emit_one(out.element);
     else
         for (const path::Element& e : path::pulled_corner(out.element, origin.pulled_out)) emit_one(e);
-    run.ends = std::move(later);
+    if (takes_along) run.ends = std::move(later);
 }
 
 void PathStage::hold(cl::Record record) { waiting_.push_back(keep(std::move(record))); }
+
+void PathStage::hold(Heard what, const base::Span& from) {
+    heard_.push_back({std::move(what), from});
+    waiting_.push_back(-static_cast<int>(heard_.size()));
+}
 
 void PathStage::say_open_corner(Reckoning& run) {
     const auto tag = path_.open_corner();
@@ -120,7 +130,7 @@ void PathStage::flush(Telling& run) {
     flushing_ = true;
     say_open_corner(run);
     report(run, path_.flush([&](const path::Output& o) { output(run, o); }));
-    for (const int event : waiting_) send_event(run, events_[static_cast<std::size_t>(event)]);
+    for (const int event : waiting_) send_kept(run, event);
     waiting_.clear();
     holds_ = false;
     forget();
@@ -156,8 +166,11 @@ void PathStage::switch_off(Telling& run) {
 void PathStage::forget() {
     active_ = !path_.idle();
     if (active_ || !waiting_.empty()) return;
+    constexpr std::size_t many = 1024;  // events: so many are kept to be filled again, and no more
     origins_.clear();
-    events_.clear();
+    heard_.clear();
+    event_count_ = 0;
+    if (events_.size() > many) events_.clear();
 }
 
 }  // namespace obrys::interp

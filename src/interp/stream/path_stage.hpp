@@ -24,9 +24,17 @@ public:
     /// As above with a setting of its own, of an element that nobody has programmed.
     void push(Moving&, path::Element&& element, const path::Setting& setting);
     /// The block that was run is behind: whether it moved in the plane counts under radius compensation.
-    void end_block(const Reckoning&);
+    void end_block(const Reckoning& run) {
+        if (run.modal.compensation == Modal::compensation_off)
+            idle_blocks_ = 0;
+        else if (!block_moved_)
+            ++idle_blocks_;
+        block_moved_ = false;
+    }
     /// Keeps a record that must come out before the next element.
     void hold(cl::Record record);
+    /// The same of what the control is told.
+    void hold(Heard what, const base::Span& from);
     /// The block that ends compensation has been read.
     void switch_off(Telling&);
     /// Emits everything held back.
@@ -65,10 +73,18 @@ private:
     [[nodiscard]] static double arc_feed(const Origin& origin, const path::Output& out);
     [[nodiscard]] path::CornerRequest corner_request(Moving&);
     void take(Moving&, path::Element&& element, const path::Setting& setting, bool rapid);
+    struct HeardThere {
+        Heard what;
+        base::Span from;
+    };
+
     void send_event(Telling&, const cl::Record& record);
+    void send_kept(Telling&, int event);
     void tell_begin(Moving&, const path::Setting& s);
     void tell_programmed(Moving&, const path::Element& e, bool rapid);
     [[nodiscard]] int keep(cl::Record&& record);
+    /// Room for a record that is to be kept; its number is that of events before it.
+    [[nodiscard]] cl::Record& next_event();
     [[nodiscard]] int feed_event(const Reckoning&, double feed);
     void output(Telling&, const path::Output& out);
     void report(Reckoning&, const path::PathFaults& faults);
@@ -78,15 +94,18 @@ private:
 
     path::ContourPath path_;
     std::vector<Origin> origins_;  ///< by tag
+    /// The first `event_count_` of them; those behind have been, and are there to be filled again.
     std::vector<cl::Record> events_;
-    std::vector<int> waiting_;
+    std::size_t event_count_ = 0;
+    path::Events waiting_;
+    std::vector<HeardThere> heard_;  ///< the first is event -1, the second -2 …
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;
     bool flushing_ = false, holds_ = false, said_outer_corner_ = false;
     std::uint32_t idle_blocks_ = 0;  ///< without motion in the plane since the last element
     bool block_moved_ = false;
     path::Side side_ = path::Side::off;            ///< of the last element
-    std::optional<geom::Vec2> direction_;          ///< at its end
+    std::optional<path::EndDirection> direction_;  ///< at its end
     std::optional<cl::CompensationBegin> told_;    ///< what the stream, or a record that waits, has begun
     bool begun_ = false;                           ///< the stream has
     bool lead_told_ = false, lead_begun_ = false;  ///< the same of smooth ways
@@ -96,10 +115,10 @@ private:
 [[nodiscard]] path::Setting compensation_setting(Moving&);
 /// The chamfer or rounding that the block asks for at its end, without feeds.
 [[nodiscard]] path::CornerRequest corner_of_block(const Moving&);
-/// An element as it is programmed; nothing where it has no place in the stream (a circle that a frame makes an
-/// ellipse).
-[[nodiscard]] std::optional<cl::Programmed> programmed_element(const Reckoning&, const path::Element& element,
-                                                               bool rapid, bool in_stream);
+/// An element as it is programmed, no corner at its end; false, and `out` as it was, where it has no place in the
+/// stream (a circle that a frame makes an ellipse).
+[[nodiscard]] bool programmed_element(const Reckoning&, const path::Element& element, bool rapid, bool in_stream,
+                                      cl::Programmed& out);
 /// mm in the frame of the stream.
 [[nodiscard]] double radius_in_stream(const Telling&, double radius);
 /// Radius compensation is in force no longer.

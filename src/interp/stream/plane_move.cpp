@@ -41,19 +41,31 @@ bool keeps_circles(const Reckoning& run) {
 
 }  // namespace
 
-PlaneView::PlaneView(const Reckoning& run, bool in_stream_already)
-    : run_(run), axes_(plane_axes(run.modal.plane)), as_it_is_(in_stream_already || run.frame_is_identity) {}
-
-std::optional<cl::Arc> PlaneView::arc(const path::Element& e, bool rapid) const {
-    if (as_it_is_)
-        return cl::Arc{at(e.to, e.w_to), at(e.centre, e.w_from), in_space(axes_, {}, 1), e.sweep, rapid,
-                       run_.tool_axis};
+std::optional<Vec3> PlaneView::normal_of_circle() const {
+    if (as_it_is_) return in_space(axes_, {}, 1);
     if (!keeps_circles(run_)) return std::nullopt;
-    return cl::Arc{at(e.to, e.w_to), at(e.centre, e.w_from), plane_normal(run_), e.sweep, rapid, run_.tool_axis};
+    return plane_normal(run_);
 }
 
-cl::Linear PlaneView::line(const path::Element& e, bool rapid) const {
-    return {at(e.to, e.w_to), run_.tool_axis, rapid};
+bool PlaneView::arc(const path::Element& e, bool rapid, cl::Arc& out) const {
+    const std::optional<Vec3> normal = normal_of_circle();
+    if (!normal) return false;
+    out.to = at(e.to, e.w_to);
+    out.centre = at(e.centre, e.w_from);
+    out.normal = *normal;
+    out.sweep = e.sweep;
+    out.rapid = rapid;
+    out.axis = run_.tool_axis;
+    out.ends.clear();
+    return true;
+}
+
+void PlaneView::line(const path::Element& e, bool rapid, cl::Linear& out) const {
+    out.to = at(e.to, e.w_to);
+    out.axis = run_.tool_axis;
+    out.rapid = rapid;
+    out.seek = cl::Seek::nothing;
+    out.ends.clear();
 }
 
 Vec3 plane_normal(const Reckoning& run) {
@@ -109,19 +121,11 @@ void emit_element(Telling& run, const path::Element& e, bool rapid, bool in_stre
     const PlaneView view(run, in_stream);
     if (path::is_arc(e)) {
         lead_to_arc(run, view, e, rapid);
-        std::optional<cl::Arc> arc = view.arc(e, rapid);
-        if (!arc) return circle_alarm(run, run.record.from);
-        put_step(run.record.step, std::move(*arc));
+        if (!view.arc(e, rapid, step_as<cl::Arc>(run.record.step))) return circle_alarm(run, run.record.from);
     } else {
-        put_step(run.record.step, view.line(e, rapid));
+        view.line(e, rapid, step_as<cl::Linear>(run.record.step));
     }
     send(run, run.record);
-}
-
-path::ArcTolerance arc_tolerance(const Reckoning& run) {
-    const program::Traits& t = *run.traits;
-    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
-    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
 }
 
 }  // namespace obrys::interp

@@ -9,6 +9,7 @@
 
 #include "cl/totals.hpp"
 #include "cycles/cycle.hpp"
+#include "interp/heard.hpp"
 #include "interp/values/values.hpp"
 #include "path/arc_input.hpp"
 #include "path/element.hpp"
@@ -32,6 +33,14 @@ void send_turned(Telling& run, cl::Record record, double angle, bool counted);
 void begin_offsets(Telling&);
 /// Programmed frame -> stream; also sets Offsets::total.
 [[nodiscard]] geom::Frame offset_frame(Telling&);
+/// What a zero offset is, as it stands in the control's parameters or in the job.
+struct KeptZero {
+    enum class From : std::uint8_t { nowhere, parameters, job };
+    Axes at{};
+    double turn = 0;  ///< degrees about Z
+    From from = From::nowhere;
+};
+[[nodiscard]] KeptZero kept_zero(const Reckoning&, std::uint32_t number);
 /// The active zero offset anew from its parameters.
 void load_datum(Telling&);
 /// The zero offset in force was written: it counts from here on.
@@ -53,21 +62,22 @@ void while_standing(Telling&, base::FunctionRef<void()> change);
 void note_written(Telling&, std::uint32_t parameter, const base::Span& where);
 
 // --- tell.cpp
-void tell(Telling&, cl::SettingKind, int number = 0, std::initializer_list<double> values = {});
-void tell(Telling&, cl::SettingKind, int number, const Axes& values);
-void tell_tool_entry(Telling&, int place, int tool, std::initializer_list<double> values);
+/// To who listens, in its place between the records.
+void pass_on(Telling&, Heard what);
+/// Says what the control is told; nothing where nobody listens.
+template <class What>
+void hear(Telling& run, const What& what) {
+    if (run.listener) pass_on(run, what);
+}
+/// With shift and turn.
+[[nodiscard]] heard::Zero zero_in_force(const Reckoning&);
+[[nodiscard]] heard::Joining joining_in_force(const Reckoning&);
 /// What the end of the program sets back.
-void tell_end(Telling&, int m);
+void hear_end(Telling&, int m);
 /// What is in force when the run begins.
-void begin_telling(Telling&);
-/// How programmed coordinates become those of the stream.
-void tell_frame(Telling&);
-/// The path mode in force, with its tolerances.
-void tell_path_mode(Telling&);
+void hear_beginning(Telling&);
 /// How moves are joined from here on; `smoothing_words`: by G60, G64 … G645 of SINUMERIK, else by G61, G61.1, G64.
 void tell_joining(Telling&, bool smoothing_words);
-/// That the operator may change the feed of a step of a cycle or not: the cycle itself says so to everybody else.
-void tell_feed_override(Telling&, bool on);
 /// M48 … M53: what the operator may change.
 void switch_override(Telling&, cl::OverrideKind, bool on);
 
@@ -119,22 +129,29 @@ void say_no_corner(Reckoning& run, const base::Span& where, const char* text, co
     return run.frame_is_identity ? v : geom::apply(run.frame, v);
 }
 /// By how much the radii of a programmed arc may differ.
-[[nodiscard]] path::ArcTolerance arc_tolerance(const Reckoning&);
+[[nodiscard]] inline path::ArcTolerance arc_tolerance(const Reckoning& run) {
+    const program::Traits& t = *run.traits;
+    const double own = run.modal.inch_geometry ? t.arc_tolerance_inch : t.arc_tolerance;
+    return {own > 0 ? own : run.env.machine.defaults.circle_tolerance, 0.001, own > 0};
+}
 /// Of the working plane, in the stream's frame, as frames turn it.
 [[nodiscard]] geom::Vec3 plane_normal(const Reckoning&);
 /// Elements of the working plane as moves of the stream.
 class PlaneView {
 public:
     /// `in_stream`: the elements are in the stream's frame, not in the programmed one.
-    explicit PlaneView(const Reckoning&, bool in_stream = false);
+    explicit PlaneView(const Reckoning& run, bool in_stream = false)
+        : run_(run), axes_(plane_axes(run.modal.plane)), as_it_is_(in_stream || run.frame_is_identity) {}
     /// A point of the plane in the stream's frame.
     [[nodiscard]] geom::Vec3 at(geom::Vec2 p, double w) const {
         const geom::Vec3 v = in_space(axes_, p, w);
         return as_it_is_ ? v : geom::apply(run_.frame, v);
     }
-    [[nodiscard]] cl::Linear line(const path::Element&, bool rapid) const;
-    /// Nothing where scaling leaves no circle of it.
-    [[nodiscard]] std::optional<cl::Arc> arc(const path::Element&, bool rapid) const;
+    void line(const path::Element&, bool rapid, cl::Linear& out) const;
+    /// False where scaling leaves no circle of it; `out` is as it was then.
+    [[nodiscard]] bool arc(const path::Element&, bool rapid, cl::Arc& out) const;
+    /// What a circle of the plane stands square to; nothing where scaling leaves no circle of one.
+    [[nodiscard]] std::optional<geom::Vec3> normal_of_circle() const;
 
 private:
     const Reckoning& run_;
@@ -148,17 +165,22 @@ void lead_to_place(Telling&);
 [[nodiscard]] bool compensates_in_fixed_plane(const Telling&);
 
 // --- emit.cpp
-/// Most records are followed by one of their kind: then there is nothing to take apart.
+/// The step as one of this kind, to be filled. Most records are followed by one of their kind: then there is nothing to
+/// take apart, and it holds what it held.
+template <class T>
+T& step_as(cl::Step& step) {
+    if (T* last = std::get_if<T>(&step)) return *last;
+    return step.emplace<T>();
+}
+/// The same, of one that is there already.
 template <class T>
 void put_step(cl::Step& step, T&& next) {
     static_assert(!std::is_reference_v<T>, "what is put in goes over");
-    if (T* last = std::get_if<T>(&step))
-        *last = std::move(next);
-    else
-        step = std::move(next);
+    step_as<T>(step) = std::move(next);
 }
 void emit(Telling&, cl::Step step);
-void emit_line(Telling&, cl::Linear);  ///< the same, of a straight move
+/// A straight move to where the tool stands now, as radius compensation has not made it.
+void emit_line(Telling&, bool rapid);
 /// Brackets of the stream about what is called or repeated.
 void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
 void end_part(Telling&);

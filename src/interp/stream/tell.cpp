@@ -1,39 +1,22 @@
-/// What a program sets besides its moves, in the order in which it acts: outputs and overrides for everybody, the rest
-/// for those who want to compare it with canonical calls (cl::Setting).
+/// What a program sets besides its moves, in the order in which it acts: how moves are joined and overrides for
+/// everybody, the rest for those who listen.
 
-#include <algorithm>
+#include <utility>
 
 #include "base/whole.hpp"
+#include "interp/stream/path_stage.hpp"
 #include "interp/stream/stream.hpp"
 
 namespace obrys::interp {
 
-using cl::SettingKind;
-
-namespace {
-
-template <class Numbers>
-void emit_setting(Telling& run, SettingKind kind, int number, const Numbers& values, int second = 0) {
-    if (!run.env.tell_settings) return;
-    cl::Setting s;
-    s.kind = kind;
-    s.number = number;
-    s.second = second;
-    std::copy(values.begin(), values.end(), s.values.begin());
-    emit(run, s);
+void pass_on(Telling& run, Heard what) {
+    if (run.capture != nullptr) return;
+    const base::Span& from = run.along != nullptr ? run.along->where : run.here();
+    if (run.path->holds())
+        run.path->hold(std::move(what), from);
+    else
+        (*run.listener)(what, from);
 }
-
-}  // namespace
-
-void tell(Telling& run, SettingKind kind, int number, std::initializer_list<double> values) {
-    emit_setting(run, kind, number, values);
-}
-
-void tell_tool_entry(Telling& run, int place, int tool, std::initializer_list<double> values) {
-    emit_setting(run, SettingKind::tool_entry, place, values, tool);
-}
-
-void tell(Telling& run, SettingKind kind, int number, const Axes& values) { emit_setting(run, kind, number, values); }
 
 namespace {
 
@@ -66,14 +49,12 @@ void tell_joining(Telling& run, bool smoothing_words) {
     emit(run, now);
 }
 
-void tell_path_mode(Telling& run) {
+heard::Joining joining_in_force(const Reckoning& run) {
     const ModalState& m = run.modal;
-    const int number = m.path_mode == Modal::path_exact ? 0 : m.path_mode == Modal::path_stop ? 1 : 2;
-    tell(run, SettingKind::path_mode, number, {m.blend, m.merge});
-}
-
-void tell_feed_override(Telling& run, bool on) {
-    if (run.env.tell_settings) emit(run, cl::Override{cl::OverrideKind::feed, on});
+    const cl::PathKind kind = m.path_mode == Modal::path_exact  ? cl::PathKind::exact
+                              : m.path_mode == Modal::path_stop ? cl::PathKind::exact_stop
+                                                                : cl::PathKind::within;
+    return {kind, m.blend, m.merge};
 }
 
 void switch_override(Telling& run, cl::OverrideKind kind, bool on) {
@@ -83,37 +64,26 @@ void switch_override(Telling& run, cl::OverrideKind kind, bool on) {
     emit(run, cl::Override{kind, on});
 }
 
-void tell_frame(Telling& run) {
-    if (!run.env.tell_settings || run.capture != nullptr || run.statement == nullptr) return;
-    const geom::Frame& f = run.frame;
-    const geom::Vec3 o = f.origin;
-    const geom::Vec3 x = geom::apply_direction(f, {1, 0, 0}), y = geom::apply_direction(f, {0, 1, 0}),
-                     z = geom::apply_direction(f, {0, 0, 1});
-    tell(run, SettingKind::frame, 0, {x.x, y.x, z.x, o.x, x.y, y.y, z.y, o.y, x.z, y.z, z.z, o.z});
-    tell(run, SettingKind::axis_offsets, 0, run.offsets.total);
+heard::Zero zero_in_force(const Reckoning& run) {
+    return {run.modal.datum, run.offsets.datum, run.offsets.shift, run.offsets.rotation};
 }
 
-void tell_end(Telling& run, int m) {
-    if (!run.env.tell_settings || !keeps_offsets(run)) return;
-    run.modal.datum = 54;
-    load_datum(run);  // also where it is in force: the program may have written its parameters
-    tell(run, SettingKind::datum, 1, run.offsets.datum);
-    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
-    const auto* settings = run.env.settings;
-    const auto drops = settings == nullptr ? std::map<std::string, std::string>::const_iterator{}
-                                           : settings->find("RS274NGC/DISABLE_G92_PERSISTENCE");
-    if (settings != nullptr && drops != settings->end() && drops->second == "1")
-        tell(run, SettingKind::shift, 1, Axes{});
-    if (m == 30) tell(run, SettingKind::pallet_change);
+void hear_beginning(Telling& run) {
+    if (!run.listener || !keeps_offsets(run) || run.statement == nullptr) return;
+    hear(run, heard::Counting{run.frame, run.offsets.total});
+    hear(run, zero_in_force(run));
 }
 
-void begin_telling(Telling& run) {
-    if (!run.env.tell_settings || !keeps_offsets(run) || run.statement == nullptr) return;
-    const auto place = place_of_datum(run.modal.datum);
-    tell_frame(run);
-    tell(run, SettingKind::datum, static_cast<int>(place), run.offsets.datum);
-    tell(run, SettingKind::shift, 0, run.offsets.shift);
-    tell(run, SettingKind::datum_rotation, 0, {run.offsets.rotation});
+void hear_end(Telling& run, int m) {
+    if (!run.listener || !keeps_offsets(run)) return;
+    constexpr std::uint32_t first = 54;
+    const KeptZero zero = kept_zero(run, first);  // the program may have written its parameters
+    hear(run, heard::Zero{first, zero.at, {}, zero.turn});
+    if (const auto* settings = run.env.settings; settings != nullptr)
+        if (const auto drops = settings->find("RS274NGC/DISABLE_G92_PERSISTENCE");
+            drops != settings->end() && drops->second == "1")
+            hear(run, heard::Shift{{}, true});
+    if (m == 30) hear(run, heard::PalletChange{});
 }
 
 }  // namespace obrys::interp

@@ -25,7 +25,7 @@ bool refuse_absent(Saying& run, std::uint32_t n, const base::Span& where) {
 
 bool is_kept_unknown(Reckoning& run, std::uint32_t n) {
     if (run.traits->kept.empty() || run.parameters.is_set(n) || run.parameters.is_known_empty(n)) return false;
-    if (run.env.stored != nullptr || run.env.tell_settings) return false;  // the control's file: what it lacks is 0
+    if (holds_all(run)) return false;  // the control's file: what it lacks is 0
     const program::KeptParameters* k = range_of(run, n);
     if (k == nullptr) return false;
     if (k->cleared_by.empty()) return true;

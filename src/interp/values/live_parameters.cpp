@@ -13,6 +13,7 @@ namespace obrys::interp {
 
 using program::StateQuery;
 using program::SystemVariable;
+
 namespace codes = base::codes;
 
 namespace {
@@ -40,7 +41,7 @@ double table_column(const Reckoning& run, std::size_t column) {
     if (!run.tool.known) return unknown_number;
     if (column == 0) return run.tool.number;
     if (t == nullptr) return run.tools.empty() && run.tool.number != 0 ? unknown_number : 0;
-    const bool listed = t->table.has_value() || run.env.tell_settings;  // else 0 says that nobody gave it
+    const bool listed = t->table.has_value() || run.env.stand_alone;  // else 0 says that nobody gave it
     if (!listed && ((column == 3 && t->length == 0) || (column == 10 && t->radius == 0))) return unknown_number;
     if (column == 3) return in_program_unit(run, 2, t->length);
     if (column == 10) return in_program_unit(run, 1, 2 * t->radius);
@@ -126,7 +127,7 @@ double state(const Reckoning& run, StateQuery q) {
         case StateQuery::speed: return if_said(run.spindle.speed_known, run.spindle.speed);
         case StateQuery::current_tool: return if_said(run.tool.known, run.tool.number);
         case StateQuery::selected_tool: return if_said(run.tool.selected.has_value(), run.tool.prepared);
-        case StateQuery::is_task: return if_said(run.env.tell_settings, 0);  // 1 on the machine, 0 in its preview
+        case StateQuery::is_task: return if_said(run.env.stand_alone, 0);  // 1 on the machine, 0 in its preview
         case StateQuery::remap_level: return 0;
         case StateQuery::call_level: return static_cast<double>(run.calls.size()) - 1;
         default: return mode(run, q);
@@ -245,7 +246,7 @@ Value live_value(Reckoning& run, SystemVariable v, double index, const std::stri
 }
 
 bool is_said(const Reckoning& run, program::ModalGroup group) {
-    if (run.env.tell_settings) return true;  // LinuxCNC's own interpreter begins with what it prints
+    if (run.env.stand_alone) return true;  // LinuxCNC's own interpreter begins with what it prints
     const bool speed = group == program::ModalGroup::feed && run.modal.speed_word != 0;  // G96 and G97 are of it, too
     return speed || (run.modal.groups_said >> static_cast<unsigned>(group) & 1u) != 0;
 }
@@ -262,7 +263,7 @@ std::optional<double> code_in_force(const Reckoning& run, StateQuery q, double y
 }
 
 void begin_said(Reckoning& run) {
-    if (!run.env.tell_settings) return;
+    if (!run.env.stand_alone) return;
     run.tool.known = run.tool.edge_known = run.spindle.speed_known = run.spindle.direction_known = true;
     run.tool.selected = 0;
     run.modal.feed_said = run.modal.mist_said = run.modal.flood_said = true;

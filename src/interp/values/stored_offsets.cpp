@@ -10,7 +10,7 @@ constexpr std::size_t rotation_about_z = 9;  // behind the axes
 
 }  // namespace
 
-bool holds_all(const Saying& run) { return run.env.stored != nullptr || run.env.tell_settings; }
+bool holds_all(const Saying& run) { return run.env.stored != nullptr || run.env.stand_alone; }
 
 bool is_zero_held(const Reckoning& run, std::uint32_t datum, std::size_t axis) {
     if (holds_all(run) || run.env.machine.datums.contains(datum)) return true;

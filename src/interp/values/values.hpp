@@ -2,6 +2,7 @@
 /// Values: expressions, variables, and what can be asked of the machine as it stands. Nothing here changes what the
 /// stream is told. Private to interp.
 
+#include <cmath>
 #include <limits>
 
 #include "cl/totals.hpp"
@@ -20,6 +21,21 @@ namespace obrys::interp {
 [[nodiscard]] std::string axis_of(Reckoning&, ExprId);
 /// A parameter that is empty (Traits::empty_parameters), alone or with a sign.
 [[nodiscard]] bool is_empty(Reckoning&, ExprId);
+
+// --- increments.cpp
+/// Words whose values the control takes in least input increments.
+inline constexpr std::uint64_t counted_words =
+    linear_axes | bit(Code::i) | bit(Code::j) | bit(Code::k) | bit(Code::radius);
+/// How many of them a length of 1 in the program has; 0: it is taken as written.
+[[nodiscard]] double increments_of_unit(const Reckoning&);
+[[nodiscard]] inline double in_increments(double v, double of_unit) {
+    return of_unit == 0 ? v : std::round(v * of_unit) / of_unit;
+}
+/// The value of such a word, or of S; any other one's as it is.
+[[nodiscard]] inline double as_taken(const Reckoning& run, Code code, double v) {
+    if (code == Code::spindle && run.traits->speed_is_whole) return std::round(v);
+    return (counted_words & bit(code)) != 0 ? in_increments(v, increments_of_unit(run)) : v;
+}
 
 // --- functions.cpp
 [[nodiscard]] Value call_function(Reckoning&, const program::Expr&);
@@ -277,7 +293,7 @@ void forget_live(Reckoning&, program::SystemVariable what);
 [[nodiscard]] std::optional<double> code_in_force(const Reckoning&, program::StateQuery, double yes, double no);
 /// The program has said a word of the group.
 [[nodiscard]] bool is_said(const Reckoning&, program::ModalGroup);
-/// LinuxCNC's own interpreter, which Environment::tell_settings stands for, begins with nothing in the spindle.
+/// LinuxCNC's own interpreter, which Environment::stand_alone says, begins with nothing in the spindle.
 void begin_said(Reckoning&);
 
 // --- numbered_blocks.cpp

@@ -53,10 +53,9 @@ const Item& shorter(const Item& a, const Item& b) {
     return rest <= extent(b.curve) * scale(b.curve) ? a : b;
 }
 
-std::vector<Fault> Compensation::push(Element e, const Setting& s, OutputSink out) {
+std::vector<Fault> Compensation::push(Element&& e, const Setting& s, OutputSink out) {
     if (s.method == Method::held_move || !held_.idle()) {
-        e.before.insert(e.before.begin(), carried_.begin(), carried_.end());
-        carried_.clear();
+        e.before.put_before(carried_);
         return held_.push(std::move(e), s, out);
     }
     const bool starts = !active_ && s.side != Side::off && s.approach == Approach::ready;
@@ -278,8 +277,7 @@ void Compensation::finish_front(Vec2 end, double place, OutputSink out) {
 
 /// Hands an element on, with the events that are due; nothing for one that does not move. Bridges what is not joined.
 void Compensation::emit(Element e, Kind kind, OutputSink out) {
-    e.before.insert(e.before.begin(), carried_.begin(), carried_.end());
-    carried_.clear();
+    e.before.put_before(carried_);
     if (!moves(e)) {
         carried_ = std::move(e.before);
         return;

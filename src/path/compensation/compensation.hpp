@@ -55,7 +55,7 @@ public:
 
     /// Takes the next programmed element, uncompensated coordinates. Elements that move nothing only hand on their
     /// events. Output is connected as long as the input is.
-    std::vector<Fault> push(Element e, const Setting& s, OutputSink out);
+    std::vector<Fault> push(Element&& e, const Setting& s, OutputSink out);
     /// Emits everything held back; the last element ends at its normal. Compensation stays selected.
     std::vector<Fault> flush(OutputSink out);
     /// The block that switches off (G40) has been read, its move comes later. Method::held_move settles the held move
@@ -94,7 +94,7 @@ private:
     std::deque<Item> window_;       ///< front: the element whose start is settled
     std::uint64_t items_ = 0;       ///< taken so far
     std::deque<Item> past_;         ///< items behind the path whose zones are still looked at
-    std::vector<int> carried_;      ///< events waiting for the next output
+    Events carried_;                ///< events waiting for the next output
     std::optional<geom::Vec2> at_;  ///< where the output stands while active
     geom::Vec2 tip_;                ///< Setting::tip of the approach; everything inside is about the centre
     std::vector<Fault> faults_;

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "path/nose.hpp"
 #include "path/compensation/compensation_testing.hpp"
+#include "path/nose.hpp"
 
 namespace obrys::path::test {
 namespace {
@@ -89,7 +89,7 @@ TEST(compensation, FilletOfTheToolsRadiusShrinksToAPointAndHandsOnItsEvents) {
     const Result r = run(steps);
     EXPECT_TRUE(r.faults.empty());
     expect_path(r, {{{5, 3}, Kind::approach}, {{17, 3}, Kind::contour}, {{17, 7}, Kind::contour}});
-    EXPECT_EQ(r.out[2].element.before, (std::vector<int>{7, 8}));
+    EXPECT_EQ(r.out[2].element.before, (Events{7, 8}));
 }
 
 TEST(compensation, Slot) {
@@ -166,9 +166,9 @@ TEST(compensation, MovesAlongTheNormalStayInPlaceAndInOrder) {
     expect_point(r.out[2].element.from, {10, -2});
     expect_point(r.out[2].element.to, {10, -2});
     EXPECT_EQ(r.out[2].element.w_to, -3);
-    EXPECT_EQ(r.out[2].element.before, (std::vector<int>{1}));
+    EXPECT_EQ(r.out[2].element.before, (Events{1}));
     EXPECT_EQ(r.out[3].kind, Kind::transition);
-    EXPECT_EQ(r.out[3].element.before, (std::vector<int>{2, 3})) << "events of the next block come before its arc";
+    EXPECT_EQ(r.out[3].element.before, (Events{2, 3})) << "events of the next block come before its arc";
     EXPECT_EQ(r.out[3].element.w_from, -3);
     EXPECT_LE(largest_gap(r), 1e-9);
 }

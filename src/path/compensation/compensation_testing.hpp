@@ -27,7 +27,7 @@ inline Result run(const std::vector<Step>& steps, std::size_t look_ahead = 3) {
     Compensation c(look_ahead);
     const auto sink = [&r](const Output& o) { r.out.push_back(o); };
     const auto keep = [&r](const std::vector<Fault>& f) { r.faults.insert(r.faults.end(), f.begin(), f.end()); };
-    for (const Step& s : steps) keep(c.push(s.e, s.s, sink));
+    for (const Step& s : steps) keep(c.push(Element(s.e), s.s, sink));
     keep(c.flush(sink));
     return r;
 }

@@ -4,7 +4,7 @@
 
 namespace obrys::path {
 
-PathFaults ContourPath::push(Element e, const Setting& setting, const CornerRequest& at_end, OutputSink out) {
+PathFaults ContourPath::push(Element&& e, const Setting& setting, const CornerRequest& at_end, OutputSink out) {
     PathFaults faults;
     if (at_end.kind == CornerKind::none && corners_.empty()) {  // nothing is held back there, nor will be
         faults.compensation = compensation_.push(std::move(e), setting, out);

@@ -22,7 +22,7 @@ public:
         : corners_(most_between), compensation_(look_ahead) {}
 
     /// One programmed element with what is in force in its block. Programmed coordinates, also while compensated.
-    PathFaults push(Element e, const Setting& setting, const CornerRequest& at_end, OutputSink out);
+    PathFaults push(Element&& e, const Setting& setting, const CornerRequest& at_end, OutputSink out);
     /// Emits everything held back: end of program, change of plane or frame, anything that must not be overtaken.
     PathFaults flush(OutputSink out);
     /// The block that switches the compensation off has been read (Compensation::switch_off).

@@ -31,7 +31,7 @@ Outcome drive(const std::vector<Input>& input) {
     for (std::size_t i = 0; i < input.size(); ++i) {
         Element e = input[i].e;
         e.tag = 100 + i;
-        keep(p.push(e, input[i].s, input[i].request, sink));
+        keep(p.push(Element(e), input[i].s, input[i].request, sink));
     }
     keep(p.flush(sink));
     EXPECT_EQ(p.idle(), input.back().s.side == Side::off);

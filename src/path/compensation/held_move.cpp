@@ -18,7 +18,10 @@ double known_offset(const Setting& s) {
 double turn_of(const Element& e) { return e.sweep > 0 ? 1 : -1; }
 
 /// Whole and begun turns of a sweep, less one.
-double turns_more(double sweep) { return std::max(0.0, std::ceil(std::abs(sweep) / (2 * geom::pi) - 1e-9) - 1); }
+double turns_more(double sweep) {
+    if (std::abs(sweep) <= 2 * geom::pi) return 0;
+    return std::max(0.0, std::ceil(std::abs(sweep) / (2 * geom::pi) - 1e-9) - 1);
+}
 
 /// The sweep from one point to another about a centre in the direction of `programmed` and with its number of turns;
 /// no way at all is a full turn.
@@ -73,8 +76,7 @@ void HeldMove::pass(Element&& e, OutputSink out) {
         return emit_events(out);
     }
     if (!exit_) at_ = e.from;
-    Queued q;
-    q.out = {std::move(e), exit_ ? Kind::retract : Kind::passed};
+    Queued q(std::move(e), exit_ ? Kind::retract : Kind::passed);
     emit(q, out);
     exit_ = false;
     at_.reset();
@@ -212,15 +214,14 @@ bool HeldMove::meet(const Meeting& m, OutputSink out) {
 /// The way round an outer corner, which comes with the events of the element behind it.
 void HeldMove::round(Element& e, Vec2 to, bool rapid, OutputSink out) {
     release(out);
-    Queued q;
-    q.out = {line(e.from, to, e.w_from), Kind::transition};
-    Element& way = q.out.element;
+    Element way = line(e.from, to, e.w_from);
     way.tag = e.tag;
     way.before = std::exchange(e.before, {});
     if (!rapid) {
         way.centre = e.from;
-        q.programmed = way.sweep = offset_ > 0 ? -1 : 1;
+        way.sweep = offset_ > 0 ? -1 : 1;
     }
+    Queued q(std::move(way), Kind::transition);
     emit(q, out);
     start_ = to;
     start_known_ = true;
@@ -248,8 +249,8 @@ bool HeldMove::move_end(Queued& q, Vec2 to) {
             faults_.back().radius_is = is;
             return false;
         }
-        const double sweep = turned_sweep(start_, e.centre, to, q.programmed);
-        if (start_known_ && std::abs(sweep) > std::abs(q.programmed) + limits_.sweep_growth)
+        const auto sweep = [&] { return turned_sweep(start_, e.centre, to, q.programmed); };
+        if (start_known_ && std::abs(sweep()) > std::abs(q.programmed) + limits_.sweep_growth)
             return refuse(Refusal::arc_unreachable);
     } else if (start_known_ && geom::dot(q.direction, to - start_) < 0) {
         return refuse(q.rapid ? Refusal::rapid_reversed : Refusal::feed_reversed);
@@ -265,8 +266,7 @@ void HeldMove::queue(Element&& e, Kind kind, bool rapid, Vec2 direction) {
         front_ = {is_arc(e), e.to, e.centre, turn_of(e)};
         carry(e);
     }
-    const double programmed = e.sweep;
-    queue_.push_back({{std::move(e), kind}, rapid, direction, programmed});
+    queue_.emplace_back(std::move(e), kind, rapid, direction);
 }
 
 void HeldMove::release(OutputSink out) {
@@ -284,17 +284,15 @@ void HeldMove::emit(Queued& q, OutputSink out) {
         e.centre = e.centre + tip_;
         if (is_arc(e)) e.sweep = sweep_run(e, q.programmed);
     }
-    if (!carried_.empty()) {
-        e.before.insert(e.before.begin(), carried_.begin(), carried_.end());
-        carried_.clear();
-    }
+    e.before.put_before(carried_);
     at_ = e.to;
     out(q.out);
 }
 
 /// Events behind which nothing is held are as good as out.
 void HeldMove::carry(Element& e) {
-    carried_.insert(carried_.end(), e.before.begin(), e.before.end());
+    if (e.before.empty()) return;
+    carried_.append(e.before);
     e.before.clear();
 }
 

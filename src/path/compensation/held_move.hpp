@@ -21,6 +21,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "path/compensation/held_corner.hpp"
@@ -40,6 +41,9 @@ public:
 
 private:
     struct Queued {
+        Queued(Element&& e, Kind kind, bool in_rapid = false, geom::Vec2 way = {})
+            : out{std::move(e), kind}, rapid(in_rapid), direction(way), programmed(out.element.sweep) {}
+
         Output out;
         bool rapid = false;
         geom::Vec2 direction;   ///< of a line, before any end was moved; nothing along w
@@ -76,7 +80,7 @@ private:
     geom::Vec2 start_;              ///< where the held move starts …
     bool start_known_ = false;      ///< … if that is looked at
     std::optional<geom::Vec2> at_;  ///< where the tool's moved point stands
-    std::vector<int> carried_;      ///< events that wait for the next output
+    Events carried_;                ///< events that wait for the next output
     std::uint64_t tag_ = 0;         ///< of the newest element
     geom::Vec2 point_;              ///< where that starts
     std::vector<Fault> faults_;

@@ -6,10 +6,10 @@
 
 #include <cmath>
 
+#include "path/compensation/compensation_testing.hpp"
 #include "path/compensation/contour_path.hpp"
 #include "path/compensation/preset.hpp"
 #include "path/compensation/refusal.hpp"
-#include "path/compensation/compensation_testing.hpp"
 
 namespace obrys::path::test {
 namespace {
@@ -236,9 +236,9 @@ TEST(held_move, EventsKeepTheirPlace) {
     const Result r = run(steps);
     ASSERT_EQ(r.out.size(), 5u);
     EXPECT_EQ(r.out[2].kind, Kind::transition);
-    EXPECT_EQ(r.out[2].element.before, std::vector<int>{2}) << "F of a block holds round the corner that leads to it";
+    EXPECT_EQ(r.out[2].element.before, Events{2}) << "F of a block holds round the corner that leads to it";
     EXPECT_TRUE(r.out[3].element.before.empty());
-    EXPECT_EQ(r.out[4].element.before, std::vector<int>{3});
+    EXPECT_EQ(r.out[4].element.before, Events{3});
 }
 
 /// Whatever is asked for, and also behind refusals, the path has no gap, and every event of a contour that is not
@@ -267,7 +267,7 @@ TEST(held_move, ConnectedWhateverIsAskedFor) {
             at = e.to;
             e.before = {++events};
             s.rapid = random.upto(3) == 0;
-            refused |= !c.push(e, s, sink).empty();
+            refused |= !c.push(Element(e), s, sink).empty();
         }
         refused |= !c.flush(sink).empty();
         EXPECT_LE(largest_gap(r), 1e-9);

@@ -264,7 +264,7 @@ private:
     std::string line_;
     std::array<double, 3> position_{}, preset_{};
     std::vector<bool> rapid_;
-    std::vector<int> waiting_;
+    Events waiting_;
     double unit_ = 1;
     int motion_ = 1, plane_ = 17, tool_ = 0, selected_ = 0;
     bool incremental_ = false, g40_ = false;

@@ -103,7 +103,21 @@ void tell_upright(State& s, const Vec3& to) {
     s.at = Vec3{to.x, to.y, s.at->z};
 }
 
+namespace {
+
+/// x,y,z, as nearly all points stand.
+bool is_plain_point(const Arguments& a) {
+    if (a.end() - a.begin() != 5) return false;
+    const Token* t = a.begin();
+    return t[0].kind == TokenKind::number && t[1].kind == TokenKind::comma && t[2].kind == TokenKind::number &&
+           t[3].kind == TokenKind::comma && t[4].kind == TokenKind::number;
+}
+
+}  // namespace
+
 void read_point(State& s, const Arguments& a) {
+    const Token* t = a.begin();
+    if (is_plain_point(a)) return run_point(s, {t[0].number.value, t[2].number.value, t[4].number.value}, t);
     const auto n = numbers(a);
     if (!n) return fail(s, a.begin(), "a point is written as numbers with commas between", "write GOTO/x,y,z");
     if (n->size() == 3 || n->size() == 6) return run_numbers(s, a, *n);

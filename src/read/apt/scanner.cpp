@@ -76,7 +76,8 @@ std::uint32_t Scanner::scan_number_or_word(Line& line, std::uint32_t from, std::
     const std::string_view s = text_.substr(from, to - from);
     Token t;
     t.begin = from;
-    base::NumberScan n = base::scan_decimal(s);
+    const bool may_be_number = base::is_digit(s[0]) || s[0] == '.' || s[0] == '-' || s[0] == '+';
+    base::NumberScan n = may_be_number ? base::scan_decimal(s) : base::NumberScan{};
     std::size_t length = n.length;
     if (length > 0) {
         if (const std::size_t e = exponent_length(s.substr(length)); e > 0) {
@@ -123,6 +124,7 @@ bool Scanner::scan(Line& line, std::uint32_t from, std::uint32_t to) {
             from = scan_number_or_word(line, from, to);
         }
         line.end = std::max(line.end, line.tokens.empty() ? line.begin : line.tokens.back().end);
+        if (line.tokens.size() > Line::most_tokens) line.too_long = true, line.tokens.pop_back();
     }
     return false;
 }
@@ -142,7 +144,7 @@ void Scanner::go_on_with_comment(Line& line) {
 bool Scanner::next(Line& line) {
     line.tokens.clear();
     line.comment = {};
-    line.unended = false;
+    line.unended = line.too_long = false;
     while (at_ < text_.size() && (base::is_blank(text_[at_]) || text_[at_] == '\r' || text_[at_] == '\n')) ++at_;
     if (at_ >= text_.size()) return false;
     line.begin = line.end = at_;

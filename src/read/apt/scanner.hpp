@@ -21,10 +21,14 @@ struct Token {
 
 /// One statement. Blanks mean nothing outside of texts.
 struct Line {
+    /// Words, numbers and signs that it may have: a hundred times what the longest need (tables of points).
+    static constexpr std::size_t most_tokens = std::size_t{1} << 16;
+
     std::uint32_t begin = 0, end = 0;
     std::vector<Token> tokens;
     std::string_view comment{};  ///< what stands behind `$$`, without it
     bool unended = false;        ///< the text ends behind a `$` that wants a further line
+    bool too_long = false;       ///< it has more than may be; those have been passed by
 };
 
 class Scanner {

@@ -97,6 +97,8 @@ struct State {
     bool ended = false, told_behind = false;
     std::map<std::string, std::string> synonyms;
     std::map<std::string_view, bool> warned;
+    std::string word_before;                         ///< of the last statement, in capitals …
+    const dialect::apt::MajorWord* known = nullptr;  ///< … and what the table says of it
 };
 
 /// The numbers and words behind the slash.

@@ -247,6 +247,13 @@ void read_comment_system(State& s, std::string_view packed) {
     refuse(s, "twelve numbers are due: where the points behind it count from is not known");
 }
 
+/// Words beyond the most that are kept have been passed by: nothing is guessed from those before.
+void say_too_long(State& s) {
+    fail(s, &s.line.tokens.back(),
+         "a statement of more than " + std::to_string(Line::most_tokens) + " words, numbers and signs is not read",
+         "end its line, or take out a $ by which lines go on that are none of it");
+}
+
 }  // namespace
 
 void read_comment(State& s) {
@@ -267,6 +274,7 @@ void read_statement(State& s) {
     if (s.line.unended) return fail(s, nullptr, "the text ends behind $, which wants a further line");
     s.path_closed = false;
     const Token& t = major_token(s);
+    if (t.kind == TokenKind::number && s.line.too_long) return say_too_long(s);
     if (t.kind == TokenKind::number)
         return read_point(s, {s.line.tokens.data(), s.line.tokens.data() + s.line.tokens.size()});
     if (t.kind != TokenKind::word) return fail(s, &t, "a statement begins with a word");
@@ -275,7 +283,8 @@ void read_statement(State& s) {
         if (other->second.starts_with("$$")) return s.build.ignored(word, s.line.begin, s.line.end);
         word = other->second;
     }
-    const MajorWord* known = dialect::apt::find_major(word);
+    if (word != s.word_before) s.word_before = word, s.known = dialect::apt::find_major(word);
+    const MajorWord* known = s.known;
     if (known == nullptr && dialect::apt::is_text(Major::text)) {
         // PPRINT-text and the like: the word runs into what follows
         for (const std::string_view head : {"PPRINT", "PARTNO", "INSERT"})
@@ -284,6 +293,7 @@ void read_statement(State& s) {
                 s.line.tokens.front().end = s.line.tokens.front().begin + static_cast<std::uint32_t>(head.size());
             }
     }
+    if (s.line.too_long && (known == nullptr || !dialect::apt::is_text(known->major))) return say_too_long(s);
     if (known == nullptr || (!dialect::apt::is_text(known->major) && assigns(s.line) && known->major != Major::apt_arc))
         return read_unknown(s, t, word);
     const Arguments a = arguments(s.line);

@@ -83,6 +83,22 @@ TEST(AptStatement, WrongPointsMarkTheNumber) {
     EXPECT_EQ(Reading("GOTO/1,2,3 $").messages(), "1:1 the text ends behind $, which wants a further line\n");
 }
 
+/// Its memory is bound, and what stands behind it is read.
+TEST(AptStatement, AStatementWithoutEndIsSaid) {
+    std::string text = "UNITS/MM\nGOTO/1,2,3";
+    for (int i = 0; i < 40'000; ++i) text += i % 100 == 0 ? ",$\n1" : ",1";
+    const Reading r(text + "\nGOTO/4,5,6\n");
+    EXPECT_NE(r.messages().find("a statement of more than 65536 words, numbers and signs is not read"),
+              std::string::npos)
+        << r.messages();
+    EXPECT_EQ(value(r, Code::z), 6);
+    EXPECT_LE(r.messages().size(), 200U);
+    // A text goes on to its line's end, however many words it has.
+    std::string remark = "PPRINT/";
+    for (int i = 0; i < 70'000; ++i) remark += " A";
+    EXPECT_EQ(Reading(remark + "\n").messages(), "");
+}
+
 TEST(AptStatement, UnitsFollowFromTheFeedsWhereNothingSaysThem) {
     EXPECT_TRUE(has_modal(Reading("GOTO/1,2,3\nFEDRAT/5,IPM\n"), Modal::inch_all));
     EXPECT_TRUE(has_modal(Reading("GOTO/1,2,3\nFEDRAT/5,MMPM\n"), Modal::metric_all));

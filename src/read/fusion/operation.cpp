@@ -124,8 +124,7 @@ void add_datum(State& s, program::Special& special, program::Datum datum, double
 void tell_plane(State& s, const Frame& f, const Place& where) {
     using program::Datum;
     program::Special special;
-    const bool level = f == Frame{};
-    special.kind = level ? program::SpecialKind::plane_reset : program::SpecialKind::plane_vector;
+    special.kind = program::SpecialKind::plane_vector;
     special.where = s.build.span(where.begin, where.end);
     const std::array<std::pair<Datum, double>, 6> values{{{Datum::vector_x, f.linear[0]},
                                                           {Datum::vector_y, f.linear[3]},
@@ -133,9 +132,9 @@ void tell_plane(State& s, const Frame& f, const Place& where) {
                                                           {Datum::normal_x, f.linear[2]},
                                                           {Datum::normal_y, f.linear[5]},
                                                           {Datum::normal_z, f.linear[8]}}};
-    for (const auto& [datum, value] : values)
-        if (!level) add_datum(s, special, datum, value, where);
-    add_datum(s, special, Datum::positioning, 0, where);
+    for (const auto& [datum, value] : values) add_datum(s, special, datum, value, where);
+    constexpr double stands_on_it = 4;
+    add_datum(s, special, Datum::positioning, stands_on_it, where);
     s.build.begin_block();
     s.build.control(program::StatementKind::special, s.build.unit().specials.size(), where.begin, where.end);
     s.build.unit().specials.push_back(std::move(special));

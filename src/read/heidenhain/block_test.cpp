@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <algorithm>
 #include <cmath>
 
+#include "dialect/heidenhain/m_functions.hpp"
+#include "dialect/heidenhain/traits.hpp"
 #include "read/heidenhain/reading.hpp"
 
 namespace obrys::read::heidenhain {
@@ -22,6 +25,27 @@ TEST(KlartextBlock, StraightLines) {
     EXPECT_EQ(one("L X+1 A-30 C+90"), straight + " X1 A-30 C90");
     EXPECT_EQ(one("5 L U+1 V+2 W+3"), straight + " U1 V2 W3");
     EXPECT_EQ(one("5 L"), straight);
+}
+
+/// The table of M functions says when each acts, the traits say it to the run: for those that are modes of the run both
+/// are held to each other here. Of corners and cycle calls the end of the block is where they act anyhow.
+TEST(KlartextBlock, ModesThatActAtTheEndOfTheirBlockAreToldToTheRun) {
+    const auto& behind = dialect::heidenhain::traits.modes_behind_motion;
+    std::size_t seen = 0;
+    for (const dialect::heidenhain::MFunction& m : dialect::heidenhain::all_m()) {
+        if (m.use != dialect::heidenhain::Use::run) continue;
+        const std::string block = one("L X+10 M" + std::to_string(m.number));
+        const std::string begin = straight + " X10 m";
+        if (!block.starts_with(begin)) continue;  // no mode
+        const bool corner = block == straight + " X10 " + modal(Modal::corner_crossing) ||
+                            block == straight + " X10 " + modal(Modal::corner_open);
+        const bool told = std::any_of(behind.begin(), behind.end(),
+                                      [&](Modal mode) { return block == straight + " X10 " + modal(mode); });
+        if (corner) continue;
+        EXPECT_EQ(told, m.when == dialect::heidenhain::When::end) << "M" << m.number << ": " << block;
+        seen += told ? 1 : 0;
+    }
+    EXPECT_EQ(seen, behind.size());
 }
 
 TEST(KlartextBlock, CommaAndPointAreTheSame) {

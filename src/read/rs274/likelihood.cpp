@@ -14,14 +14,17 @@ namespace {
 
 /// The text in upper case without blanks and comments, its begin.
 std::string code_of(std::string_view text) {
-    std::string out;
+    text = text.substr(0, base::telling_bytes);
+    std::string out(text.size(), ' ');
+    std::size_t n = 0;
     bool to_end = false, comment = false;
-    for (const char c : text.substr(0, base::telling_bytes)) {
+    for (const char c : text) {
         if (c == '\n') to_end = comment = false;
         to_end = to_end || (c == ';' && !comment);
         comment = (comment || c == '(') && c != ')';
-        if (!to_end && !comment && c != ')' && !base::is_blank(c) && c != '\r') out += base::upper(c);
+        if (!to_end && !comment && c != ')' && !base::is_blank(c) && c != '\r') out[n++] = base::upper(c);
     }
+    out.resize(n);
     return out;
 }
 

@@ -30,56 +30,62 @@ constexpr std::uint64_t of_arcs = bit(Code::i) | bit(Code::j) | bit(Code::k) | b
 static_assert(arc_letters > static_cast<unsigned>(Code::w));
 
 struct Plain {
-    std::uint64_t seen = 0;
-    int motion = -1;
+    std::uint64_t seen = 0;  ///< of all but G; none comes twice
+    std::int32_t motion = -1;
     Word g{}, feed{};
 };
 
-/// A word at `p`, whose letter means `code`; false where the full reader is needed.
-inline bool read_plain_word(program::Unit& unit, Code code, const char*& p, const char* line, Plain& block) {
-    const char* digits = p + 1;
-    while (base::is_blank(*digits)) ++digits;
-    const base::ShortNumber n = base::scan_short_number(digits, false);
-    if (n.end == nullptr) return false;
-    const auto offset = static_cast<std::uint32_t>(p - line), length = static_cast<std::uint32_t>(n.end - p);
+/// The number behind a letter at `p`, with blanks or a sign before it.
+base::ShortNumber scan_behind(const char* p) {
+    ++p;
+    while (base::is_blank(*p)) ++p;
+    return base::scan_short_number(p, false);
+}
+
+/// G at `p` with its number; false where that is no plain motion, or the block's second one.
+inline bool read_motion(const char*& p, const char* line, Plain& block) {
+    const bool is_one_digit = base::is_digit(p[1]) && !base::is_digit(p[2]) && p[2] != '.';  // as it mostly is
+    const base::ShortNumber n = is_one_digit ? base::ShortNumber{p[1] - '0', 0, p + 2} : scan_behind(p);
+    if (n.end == nullptr || block.motion >= 0 || n.decimals != 0 || n.mantissa < 0 || n.mantissa > 3) return false;
+    block.motion = n.mantissa;
+    block.g = program::make_word(Code::modal, static_cast<std::uint32_t>(Form::index),
+                                 program::modal_word(motions[static_cast<std::size_t>(n.mantissa)]),
+                                 static_cast<std::uint32_t>(p - line), static_cast<std::uint32_t>(n.end - p));
     p = n.end;
-    if (code == Code::modal) {
-        if (block.motion >= 0 || n.decimals != 0 || n.mantissa < 0 || n.mantissa > 3) return false;
-        block.motion = n.mantissa;
-        block.g =
-            program::make_word(code, static_cast<std::uint32_t>(Form::index),
-                               program::modal_word(motions[static_cast<std::size_t>(n.mantissa)]), offset, length);
-        return true;
-    }
-    if ((block.seen & bit(code)) != 0) return false;
-    block.seen |= bit(code);
-    const Word w = program::make_word(code, n.decimals, n.mantissa, offset, length);
-    if (code == Code::feed) {
-        block.feed = w;
-        return n.mantissa >= 0;
-    }
-    unit.words.push_back(w);
     return true;
 }
 
 /// The words from `p` to the end of the line, where `p` stands then; their end. Null where the full reader is needed.
-const char* read_plain_words(program::Unit& unit, const char*& p, const char* end, const char* line, Plain& block) {
+inline const char* read_plain_words(program::Unit& unit, const char*& at, const char* end, const char* line,
+                                    Plain& block) {
+    const char* p = at;
     const char* last = p;
-    while (p < end) {
-        const auto c = static_cast<unsigned char>(*p);
-        const Code code = letters[c];
-        if (code != Code::control) {
-            if (!read_plain_word(unit, code, p, line, block)) return nullptr;
-            last = p;
-            if (*p == ' ') ++p;
-        } else if (c == '\n') {
-            break;
-        } else if (base::is_blank(*p) || c == '\r') {
+    for (;;) {
+        const Code code = letters[static_cast<unsigned char>(*p)];
+        if (code == Code::control) {
+            if (p >= end || *p == '\n') break;
+            if (!base::is_blank(*p) && *p != '\r') return nullptr;
             ++p;
-        } else {
-            return nullptr;
+            continue;
         }
+        if (code == Code::modal) {
+            if (!read_motion(p, line, block)) return nullptr;
+        } else {
+            const base::ShortNumber n = base::is_digit(p[1]) ? base::scan_short_digits(p + 1, false) : scan_behind(p);
+            if (n.end == nullptr || (block.seen & bit(code)) != 0) return nullptr;
+            block.seen |= bit(code);
+            const Word w = program::make_word(code, n.decimals, n.mantissa, static_cast<std::uint32_t>(p - line),
+                                              static_cast<std::uint32_t>(n.end - p));
+            if (code != Code::feed)
+                unit.words.push_back(w);
+            else if (block.feed = w; n.mantissa < 0)
+                return nullptr;
+            p = n.end;
+        }
+        last = p;
+        if (*p == ' ') ++p;
     }
+    at = p;
     return last - line > longest_line ? nullptr : last;
 }
 
@@ -90,7 +96,7 @@ const char* read_literal_block(State& s, const char* p, const char* end) {
     program::Unit& unit = s.unit();
     const std::size_t first = unit.words.size();
     Plain block;
-    if (base::upper(*p) == 'N') {
+    if (*p == 'N' || *p == 'n') {
         ++p;
         const char* digits = p;
         while (base::is_digit(*p)) ++p;

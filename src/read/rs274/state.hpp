@@ -87,6 +87,7 @@ struct Opened {
 /// Where a label of a structure was used first.
 struct LabelUse {
     std::uint32_t begin = 0;
+    std::uint32_t statement = 0;
     std::size_t depth = 0;     ///< branches around it
     std::uint64_t branch = 0;  ///< the innermost one (branch_at in structure.cpp)
 };
@@ -151,10 +152,9 @@ struct State {
     std::vector<BlockWord> words{};  ///< of the block at hand
     Facts facts{};
     Comment comment{};
-    std::uint8_t skip = 0;     ///< block skip level + 1
-    bool failed = false;       ///< a complaint was made about the line
-    bool broke_while = false;  ///< a break out of a while has been read
-    int operators = 0;         ///< of the expression at hand
+    std::uint8_t skip = 0;  ///< block skip level + 1
+    bool failed = false;    ///< a complaint was made about the line
+    int operators = 0;      ///< of the expression at hand
     /// What a numbered parameter that the control owns says; no_expr: it is an ordinary one. Null: all are.
     ExprId (*system)(State&, std::uint32_t number, std::uint32_t begin) = nullptr;
     bool percent = false;  ///< the text begins with `%`
@@ -255,7 +255,7 @@ void begin_sub(State& s, const std::string& label, std::uint32_t begin);
 void read_return(State& s, const std::string& label, ExprId value, bool ends, std::uint32_t begin);
 void read_program_number(State& s, const std::string& label, std::uint32_t begin);
 void call_program(State& s, program::Call call, std::uint32_t begin);
-void note_end(State& s, std::uint16_t m);        ///< M2, M30 and M99 outside of structures: the program goes no further
+void note_end(State& s, std::uint16_t m);  ///< M2, M30 and M99 outside of structures: the program goes no further
 /// A block behind M2 or M30 that nothing leads to; what stands behind an O number is a program of its own.
 void say_unreached(State& s);
 void read_lines(State& s, std::uint32_t begin);  ///< read.cpp: until the text or the part ends

@@ -80,8 +80,18 @@ void tie_loop(State& s, const Opened& o, ExprId condition, bool once, std::uint3
     const std::uint32_t self = next_statement(s);
     add_branch(s, closer_of(o.kind), condition, once ? self + 1 : o.openers.front(), begin, end);
     if (o.kind != StatementKind::repeat_) branch_of(s, o.openers.front()).target = self + 1;
-    for (const std::size_t j : o.breaks) s.unit().jumps[j].target = self + 1;
-    for (const std::size_t j : o.continues) s.unit().jumps[j].target = self;
+    std::vector<program::Jump>& jumps = s.unit().jumps;
+    const bool is_while = o.kind == StatementKind::while_;
+    for (const std::size_t j : o.breaks) {
+        jumps[j].target = self + 1;
+        jumps[j].leaves = is_while ? program::Leaves::while_ : program::Leaves::do_;
+    }
+    for (const std::size_t j : o.continues) {
+        jumps[j].target = self;
+        jumps[j].leaves = is_while ? program::Leaves::while_pass : program::Leaves::do_pass;
+        jumps[j].has_break = !o.breaks.empty() && o.breaks.back() > j;
+    }
+    if (is_while) branch_of(s, o.openers.front()).has_break = !o.breaks.empty();
 }
 
 void tie(State& s, const Opened& o, ExprId condition, bool once, std::uint32_t begin, std::uint32_t end) {
@@ -129,33 +139,20 @@ Opened* find_for(State& s, const std::string& label, StatementKind kind, std::st
 std::uint64_t branch_at(const Opened& o) { return std::uint64_t{o.openers.front()} << 32 | o.elses.size(); }
 
 /// A label belongs to one structure, where the run has come by that before: it stands in the same branch, or in one
-/// around it.
-bool claim(State& s, const std::string& label, std::uint32_t begin) {
+/// around it. Elsewhere the run knows (Branch::same_label, which is given back; 0: nobody has had the label).
+std::uint32_t claim(State& s, const std::string& label, std::uint32_t begin) {
     const std::vector<Opened>& around = s.part->opened;
-    const LabelUse here{begin, around.size(), around.empty() ? 0 : branch_at(around.back())};
+    const LabelUse here{begin, next_statement(s), around.size(), around.empty() ? 0 : branch_at(around.back())};
     const auto [at, is_new] = s.part->labels.try_emplace(label, here);
-    if (is_new) return true;
+    if (is_new) return 0;
     const LabelUse& first = at->second;
     if (first.depth > around.size() || (first.depth > 0 && first.branch != branch_at(around[first.depth - 1])))
-        return true;
+        return branch_of(s, first.statement).same_label = first.statement + 1;
     const std::uint32_t line = s.sources.position(s.file, first.begin).line;
     fail(s, begin, s.line.behind(),
          "the label " + shown(label) + " belongs to the structure of line " + std::to_string(line) + " already",
          "give this one a label of its own");
-    return false;
-}
-
-/// LinuxCNC's issue 1307, also in its 2.9 that was asked: behind a break out of a while the next do is run once.
-void tell_single_pass(State& s, const std::string& label, std::uint32_t begin) {
-    s.broke_while = false;
-    base::Diagnostic d;
-    d.severity = base::Severity::warning;
-    d.code = base::codes::unsupported;
-    d.where = s.build().span(begin, s.line.behind());
-    d.text = "a break out of a while stands before " + shown(label) +
-             " do: LinuxCNC may run its blocks only once then, a fault of its own; here it is repeated as written";
-    d.remedy = "write while and endwhile instead of do and while";
-    s.part->diagnostics.add(std::move(d));
+    return 0;
 }
 
 }  // namespace
@@ -167,13 +164,14 @@ bool has_opened(const State& s, StatementKind kind, const std::string& label) {
 
 void open_structure(State& s, StatementKind kind, const std::string& label, ExprId condition, std::uint32_t begin) {
     const std::uint32_t end = s.line.behind();
-    if (!s.failed) (void)claim(s, label, begin);
+    const std::uint32_t same_label = s.failed ? 0 : claim(s, label, begin);
     if (s.failed && kind != StatementKind::repeat_) condition = s.build().number(0, true, begin, end);
     Opened o;
     o.kind = kind;
     o.label = label;
     o.word = s.build().span(begin, end);
     o.openers.push_back(add_branch(s, kind, condition, program::no_target, begin, end));
+    branch_of(s, o.openers.front()).same_label = same_label;
     push_opened(s, std::move(o));
 }
 
@@ -199,7 +197,6 @@ void close_structure(State& s, StatementKind kind, const std::string& label, Exp
                      std::uint32_t begin) {
     if (find_for(s, label, kind, word, begin) == nullptr) return;
     const Opened o = pop_opened(s);
-    if (kind == StatementKind::repeat_ && s.broke_while) tell_single_pass(s, label, begin);
     tie(s, o, condition, false, begin, s.line.behind());
 }
 
@@ -215,7 +212,6 @@ void leave_structure(State& s, const std::string& label, bool goes_on, std::uint
     s.unit().jumps.push_back(jump);
     const std::size_t at = s.unit().jumps.size() - 1;
     (goes_on ? o->continues : o->breaks).push_back(at);
-    s.broke_while = s.broke_while || (!goes_on && o->kind == StatementKind::while_);
     s.build().control(StatementKind::jump, at, begin, s.line.behind());
 }
 

@@ -40,13 +40,16 @@ bool assigns_parameter(std::string_view text) {
 
 /// The text in upper case without comments, its first 64 KiB.
 std::string code_of(std::string_view text) {
-    std::string out;
+    text = text.substr(0, base::telling_bytes);
+    std::string out(text.size(), ' ');
+    std::size_t n = 0;
     bool comment = false;
-    for (const char c : text.substr(0, base::telling_bytes)) {
+    for (const char c : text) {
         if (c == ';') comment = true;
         if (c == '\n' || c == '\r') comment = false;
-        if (!comment) out += base::upper(c);
+        if (!comment) out[n++] = base::upper(c);
     }
+    out.resize(n);
     return out;
 }
 

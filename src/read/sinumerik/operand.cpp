@@ -3,6 +3,7 @@
 
 #include "base/number.hpp"
 #include "dialect/sinumerik/tables.hpp"
+#include "read/sinumerik/read.hpp"
 #include "read/sinumerik/expression.hpp"
 
 namespace obrys::read::sinumerik {
@@ -296,6 +297,12 @@ ExprId read_target(State& s) {
         return target;
     fail(s, from, s.cursor.p, "a value cannot be assigned to this");
     return no_expr;
+}
+
+bool is_own_word(std::string_view upper) {
+    return words::find_word(upper) != nullptr || words::find_function(upper) || words::find_reference(upper) ||
+           words::find_type(upper) || is_operator_word(upper) || upper == "NOT" || upper == "TO" || upper == "TRUE" ||
+           upper == "FALSE";
 }
 
 }  // namespace obrys::read::sinumerik

@@ -22,6 +22,9 @@ namespace obrys::read::sinumerik {
 /// other makers' files end in .DEF, too.
 [[nodiscard]] bool is_definition_file(std::string_view text, std::string_view upper_name);
 
+/// In capitals: a word of the control, which names nothing else.
+[[nodiscard]] bool is_own_word(std::string_view upper);
+
 /// How likely a text is a SINUMERIK program, 0 … 100; the file name's suffix counts too.
 [[nodiscard]] int likelihood(std::string_view text, std::string_view file_name,
                              std::vector<std::string>* signs = nullptr);

@@ -85,12 +85,9 @@ double Collector::speed_at(double radius) const {
 void Collector::take_feed(const motion::Step& step, double way, ToolUse& use) {
     const double radius = std::isnan(step.from.x) ? step.to.x : (step.from.x + step.to.x) / 2;
     const double speed = speed_at(radius);
-    cl::Feed feed = cursor_.state().feed;
-    if (const auto* thread = std::get_if<cl::Thread>(&step.record.step))
-        feed = {std::abs(thread->pitch), cl::FeedMode::per_rev};
     constexpr double minute = 60;
-    const double seconds =
-        way > 0 || feed.mode == cl::FeedMode::inverse_time ? motion::feed_seconds(feed, way, speed) : 0;
+    const bool takes_time = way > 0 || cursor_.state().feed.mode == cl::FeedMode::inverse_time;
+    const double seconds = takes_time ? motion::feed_seconds(step, way, highest_) : 0;
     use.times.feed_mm += way;
     if (std::isnan(seconds)) {
         use.times.untimed_mm += way;
@@ -133,9 +130,7 @@ void Collector::take_move(const motion::Step& step) {
 
 void Collector::take_dwell(const cl::Dwell& dwell) {
     Times& times = tool().times;
-    const bool turns = dwell.seconds == 0 && dwell.revolutions != 0;
-    constexpr double minute = 60;
-    const double seconds = turns ? minute * dwell.revolutions / speed_at(cursor_.position().here().x) : dwell.seconds;
+    const double seconds = motion::dwell_seconds(dwell, cursor_.state().spindle, cursor_.position().here().x, highest_);
     if (std::isfinite(seconds))
         times.dwell_s += seconds;
     else

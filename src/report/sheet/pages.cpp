@@ -4,6 +4,7 @@
 
 #include "base/number.hpp"
 #include "cl/unknown_tool.hpp"
+#include "report/clock.hpp"
 #include "report/sheet/sheet.hpp"
 
 namespace obrys::report::sheet {
@@ -22,14 +23,6 @@ std::string decimal(double value, int decimals = 3) {
 }
 
 std::string number_text(std::uint32_t number) { return number == cl::unknown_tool ? "?" : std::to_string(number); }
-
-std::string clock(double seconds) {
-    if (!std::isfinite(seconds)) return "?";
-    const double whole = std::floor(seconds + 0.5), hours = std::floor(whole / 3600),
-                 minutes = std::floor((whole - 3600 * hours) / 60);
-    return base::fixed(hours, 0) + " h " + base::fixed(minutes, 0) + " min " +
-           base::fixed(whole - 3600 * hours - 60 * minutes, 0) + " s";
-}
 
 /// "(40; 100) x (20; 20) x (16.996; 150) mm"
 std::string extent_text(const Extent& e) {

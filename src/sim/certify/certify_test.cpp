@@ -2,42 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <optional>
-#include <random>
 #include <string>
 
-#include "geom/random_cases_testing.hpp"
-#include "mesh/primitives.hpp"
 #include "sim/certify/blocks_testing.hpp"
-#include "sim/certify/closest.hpp"
+#include "sim/certify/certify_testing.hpp"
 
 namespace obrys::sim::certify {
 namespace {
 
-using geom::Vec3;
-using geom::testing::Random;
-
-Shape end_mill(double r, double height = 30) { return {{r, 0, r, height, 0}}; }
-Shape ball(double r, double height = 30) { return {{0, r, 0, r, r}, {r, r, r, height, 0}}; }
-Shape bull(double r, double corner, double height = 30) {
-    return {{r - corner, corner, r - corner, corner, corner}, {r, corner, r, height, 0}};
-}
-Shape cone(double r, double degrees, double height = 30) {
-    const double h = r / std::tan(geom::radians(degrees) / 2);
-    return {{0, 0, r, h, 0}, {r, h, r, h + height, 0}};
-}
-
-std::optional<Depth> found_in(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
-    const Move move{geom::Straight{from, to}, axis, &shape};
-    return judge.is_clear(move) ? std::nullopt : judge.deepest(move);
-}
-
-double depth_of(const Judge& judge, const Shape& shape, Vec3 from, Vec3 to, Vec3 axis = {0, 0, 1}) {
-    const std::optional<Depth> found = found_in(judge, shape, from, to, axis);
-    return found ? found->depth : 0;
-}
+using namespace testing;
 
 const mesh::Distance& plate() {
     static const mesh::Distance part(mesh::box({0, 0, -20}, {60, 40, 0}));
@@ -228,133 +201,6 @@ TEST(Certified, straight_blocks_agree_with_the_concave_maximum_of_the_oracle) {
     }
 }
 
-/// A random body and a tool that nearly touches it.
-struct Case {
-    mesh::Mesh part;
-    Shape tool;
-    Vec3 from, to, axis;
-};
-
-Vec3 direction(Random& random) {
-    for (;;) {
-        const Vec3 v{random.between(-1, 1), random.between(-1, 1), random.between(-1, 1)};
-        if (length(v) > 0.1 && length(v) < 1) return (1 / length(v)) * v;
-    }
-}
-
-Case random_case(Random& random) {
-    Case c;
-    switch (random.below(3)) {
-        case 0: c.part = mesh::box({-10, -8, -6}, {10, 8, 6}); break;
-        case 1: c.part = mesh::ball({0, 0, 0}, 8, 40); break;
-        default: c.part = mesh::cylinder({0, 0, -6}, 8, 12, 60); break;
-    }
-    const double r = random.between(1, 5);
-    switch (random.below(4)) {
-        case 0: c.tool = end_mill(r, 20); break;
-        case 1: c.tool = ball(r, 20); break;
-        case 2: c.tool = bull(r, r * random.between(0.1, 0.9), 20); break;
-        default: c.tool = cone(r, random.between(30, 150), 20); break;
-    }
-    c.axis = random.below(2) == 0 ? Vec3{0, 0, 1} : direction(random);
-    const Vec3 out = direction(random);
-    c.from = random.between(6, 14) * out + random.between(0, 5) * direction(random);
-    c.to = c.from + random.between(0.1, 8) * direction(random);
-    return c;
-}
-
-/// The deepest of many points of the tool on its way: never deeper than what is certified.
-double sampled(const Case& c, const mesh::Distance& part, Random& random, int points) {
-    double deepest = 0;
-    for (int i = 0; i < points; ++i) {
-        const Swept whole{c.tool[static_cast<std::size_t>(random.below(static_cast<int>(c.tool.size())))], c.from,
-                          c.to - c.from, c.axis};
-        const mesh::Box box = box_of(whole);
-        const Vec3 p{random.between(box.lo.x, box.hi.x), random.between(box.lo.y, box.hi.y),
-                     random.between(box.lo.z, box.hi.z)};
-        deepest = std::max(deepest, -part.signed_distance(nearest_within(whole, p)));
-    }
-    return deepest;
-}
-
-TEST(Certified, no_point_of_the_tool_is_deeper_than_what_is_certified) {
-    constexpr double allowed = 0.01;
-    for (unsigned number = 1; number <= 300; ++number) {
-        Random random(number);
-        const Case c = random_case(random);
-        const mesh::Distance part(c.part);
-        const Judge judge(part, allowed);
-        const double d = depth_of(judge, c.tool, c.from, c.to, c.axis);
-        const double found = sampled(c, part, random, 2000);
-        EXPECT_LE(found, std::max(d, allowed) + allowed / 10 + 0.02 * found) << "case " << number;
-    }
-}
-
-TEST(Certified, depth_grows_with_the_radius_and_does_not_change_when_all_is_moved_and_turned) {
-    constexpr double allowed = 0.01;
-    for (unsigned number = 1; number <= 100; ++number) {
-        Random random(number);
-        Case c = random_case(random);
-        const double r = random.between(1, 4);
-        const mesh::Distance part(c.part);
-        const Judge judge(part, allowed);
-        const double small = depth_of(judge, end_mill(r, 20), c.from, c.to, c.axis);
-        const double large = depth_of(judge, end_mill(r * 1.1, 20), c.from, c.to, c.axis);
-        if (large < 1) {
-            EXPECT_LE(small, std::max(large, allowed) + allowed / 5) << "case " << number;
-        }
-        const geom::Frame turn = geom::Frame::shift({1000, -20, 7}) * geom::Frame::rotation(0, random.between(-3, 3)) *
-                                 geom::Frame::rotation(2, random.between(-3, 3));
-        const mesh::Distance turned_part(transformed(c.part, turn));
-        const Judge turned(turned_part, allowed);
-        const double there =
-            depth_of(turned, end_mill(r, 20), apply(turn, c.from), apply(turn, c.to), apply_direction(turn, c.axis));
-        if (small > allowed && small < 1) {
-            EXPECT_NEAR(there, small, allowed / 5 + 0.01 * small) << "case " << number;
-        }
-    }
-}
-
-/// What proofs rest on, whichever way the corners are moved.
-TEST(Certified, a_smaller_body_grown_by_the_depth_covers_the_body) {
-    for (unsigned number = 1; number <= 400; ++number) {
-        Random random(number);
-        const auto radius = [&] { return random.below(3) == 0 ? 0.0 : random.between(0, 5); };
-        const Body body{radius(), 0, radius(), random.between(0, 1) * random.between(0, 1) * 20,
-                        random.below(2) == 0 ? 0.0 : random.between(0, 1)};
-        const double depth = random.between(0.001, 2);
-        for (const Inwards how : all_ways) {
-            const Body inner = shrunk(body, depth, how);
-            EXPECT_GE(inner.rounding, 0);
-            for (int i = 0; i < 50; ++i) {
-                const Vec3 u = direction(random);
-                // The farthest point of the body that way, and all of it: convex bodies with support functions.
-                const Vec3 at = support({body, {}, {}, {0, 0, 1}}, u) + body.rounding * u;
-                const Vec3 near = nearest_within({inner, {}, {}, {0, 0, 1}}, at);
-                ASSERT_LE(geom::distance(at, near), depth * (1 + 1e-9))
-                    << "case " << number << " way " << static_cast<int>(how) << " body " << body.r0 << ' ' << body.r1
-                    << ' ' << body.z1 << ' ' << body.rounding << " inner " << inner.r0 << ' ' << inner.z0 << ' '
-                    << inner.r1 << ' ' << inner.z1 << ' ' << inner.rounding << " at " << at.x << ' ' << at.y << ' '
-                    << at.z;
-            }
-        }
-    }
-}
-
-/// In a corner the floor may lie at most of the depth and the wall at some of it: there is a way that is off both.
-TEST(Certified, a_rim_moves_inwards_in_every_direction) {
-    constexpr double depth = 0.01, share = 0.8;
-    const Body mill{5, 0, 5, 20, 0};
-    for (double angle = 0; angle <= 90; angle += 1) {
-        const double up = share * depth * std::cos(geom::radians(angle)),
-                     in = share * depth * std::sin(geom::radians(angle));
-        EXPECT_TRUE(std::any_of(all_ways.begin(), all_ways.end(), [&](Inwards how) {
-            const Body b = shrunk(mill, depth, how);
-            return b.z0 - b.rounding >= up && mill.r0 - (b.r0 + b.rounding) >= in;
-        })) << angle;
-    }
-}
-
 TEST(Certified, a_tip_that_is_less_deep_than_allowed_is_clear_however_it_comes) {
     const mesh::Distance part(mesh::box({-10, -10, -10}, {10, 10, 0}));
     constexpr double allowed = 0.01;
@@ -367,19 +213,6 @@ TEST(Certified, a_tip_that_is_less_deep_than_allowed_is_clear_however_it_comes) 
     EXPECT_TRUE(is_clear({0, 0, 1}, {8, 0, low}));
     EXPECT_FALSE(is_clear({0, 0, 1}, {0, 0, deep}));
     EXPECT_FALSE(is_clear({0, 0, deep}, {8, 0, deep}));
-}
-
-TEST(Certified, closest_agrees_with_a_search) {
-    for (unsigned number = 1; number <= 200; ++number) {
-        Random random(number);
-        const Case c = random_case(random);
-        const Swept whole{c.tool.front(), c.from, c.to - c.from, c.axis};
-        const Vec3 p = 20.0 * direction(random);
-        const Apart apart = closest(whole, {&p, 1}, to_the_end);
-        EXPECT_NEAR(apart.upper, whole.body.rounding + geom::distance(p, nearest_within(whole, p)), 1e-5)
-            << "case " << number;
-        EXPECT_LE(apart.lower, apart.upper * (1 + 1e-12));
-    }
 }
 
 }  // namespace

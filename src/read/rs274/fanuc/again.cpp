@@ -31,7 +31,7 @@ std::string mode_text(const FanucControl& control, Mode m, const Modes& modes) {
         case Mode::to_clearance: return either("G99", "G98");
         case Mode::corner_waits: return either("a corner that waits for this block", "no corner before it");
         case Mode::surface: return v == 0 ? "G13.1" : v == 1 ? "G12.1" : "G7.1";
-        case Mode::transformed: return either("G68, G51 or G51.1", "no G68, G51 or G51.1");
+        case Mode::transformed: return either("G68, G51, G51.1 or G68.2", "no G68, G51, G51.1 or G68.2");
         default: return either("another motion or cycle", "no such motion or cycle");
     }
 }

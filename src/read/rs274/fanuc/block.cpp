@@ -58,7 +58,7 @@ void refuse_in_rotation(FanucState& s) {
     if (s.control.haas) return;
     for (const Address& a : s.addresses) {
         const auto g = a.letter == 'G' ? g_tenths(a) : std::nullopt;
-        if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920) && s.transformed != 0)
+        if (g && ((*g >= 270 && *g <= 300) || (*g >= 520 && *g <= 599) || *g == 920) && (s.transformed & ~tilted) != 0)
             add_problem(s, Code::unsupported, a.begin, a.end,
                         "G68, G51 or G51.1 is in force, in which it must not be programmed");
         // The same, programmable mirror image: not within scaling or rotation.
@@ -102,6 +102,7 @@ void emit_all(FanucState& s) {
     refuse_in_rotation(s);
     if (!s.failed) run_specials(s);
     if (!s.failed) take_own_words(s);
+    if (!s.failed) refuse_in_tilt(s);
     refuse_repeated(s);
     if (!s.failed) judge_block_behind_corner(s);
     if (!s.failed && turning_block(s)) return;

@@ -126,8 +126,15 @@ namespace {
 
 /// A cycle, an arc or a G code that acts once reads words of the same block that are the transformation's, too.
 bool is_beside_others(const FanucState& s, const FanucG& g) {
-    if (g.special != FanucSpecial::rotation && g.special != FanucSpecial::scaling && g.special != FanucSpecial::mirror)
-        return false;
+    switch (g.special) {
+        case FanucSpecial::rotation:
+        case FanucSpecial::scaling:
+        case FanucSpecial::mirror:
+        case FanucSpecial::tilt:
+        case FanucSpecial::tilt_spatial:
+        case FanucSpecial::take_up_tilt: break;
+        default: return false;
+    }
     if (s.own_motion && s.motion != Modal::rapid && s.motion != Modal::linear) return true;
     return std::any_of(s.special.begin(), s.special.end(), [](const Special& x) {
         switch (x.g->special) {
@@ -155,9 +162,12 @@ void frame_special(FanucState& s, const FanucG& g, const Address& a) {
                     "it stands in one block with another function that reads coordinates: write two blocks");
     }
     emit_base(s);
+    if (tilt_special(s, g, a)) return;
     switch (g.special) {
         case FanucSpecial::rotation: return rotation(w);
-        case FanucSpecial::rotation_off: return cancel(w, Modal::rotation_off, rotated);
+        case FanucSpecial::rotation_off:
+            if (!s.control.haas) end_tilt(s, a);
+            return cancel(w, Modal::rotation_off, rotated);
         case FanucSpecial::scaling: return scaling(w);
         case FanucSpecial::scaling_off: return cancel(w, Modal::scaling_off, enlarged);
         case FanucSpecial::mirror: return mirror(w, true);

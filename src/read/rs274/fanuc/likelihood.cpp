@@ -42,29 +42,30 @@ struct Squeezed {
 /// Block numbers are left out: a pattern for the begin of a line means the first word.
 Squeezed squeeze(std::string_view text) {
     Squeezed out;
-    bool comment = false, number = false;
+    bool comment = false, number = false, begins = true;
     const std::size_t size = std::min(text.size(), base::telling_bytes);
-    out.code.reserve(size);
-    out.from.reserve(size);
-    const auto take = [&out](char c, std::size_t at) {
-        out.code += c;
-        out.from.push_back(static_cast<std::uint32_t>(at));
-    };
+    out.code.resize(size);
+    out.from.resize(size);
+    std::size_t n = 0;
+    const auto take = [&](char c, std::size_t at) { out.code[n] = c, out.from[n++] = static_cast<std::uint32_t>(at); };
     for (std::size_t i = 0; i < size; ++i) {
         const char c = base::upper(text[i]);
-        const bool begins = out.code.empty() || out.code.back() == '\n';
         number = !comment && ((number && (base::is_digit(c) || base::is_blank(c))) || (begins && c == 'N'));
         if (number) continue;
         if (c == '\n' || c == '\r') {
             comment = false;
-            if (!out.code.empty() && out.code.back() != '\n') take('\n', i);
+            if (!begins) take('\n', i);
+            begins = true;
         } else if (comment || c == '(') {
             comment = c != ')';
             out.comments += c;
         } else if (!base::is_blank(c)) {
             take(c, i);
+            begins = false;
         }
     }
+    out.code.resize(n);
+    out.from.resize(n);
     out.pairs.add(out.code);
     return out;
 }

@@ -40,7 +40,12 @@ enum class Mode : std::uint8_t {
 static_assert(static_cast<std::size_t>(Mode::count) <= program::mode_count);
 
 /// Transformations in force.
-enum Transformed : std::uint8_t { rotated = 1, enlarged = 2, mirrored = 4 };  ///< mirrored, << 1, << 2: in X, Y, Z
+enum Transformed : std::uint8_t {
+    rotated = 1,
+    enlarged = 2,
+    mirrored = 4,  ///< << 1, << 2: in X, Y, Z
+    tilted = 32
+};
 
 [[nodiscard]] constexpr program::ModeSet mode_bit(Mode m) { return program::ModeSet{1} << static_cast<unsigned>(m); }
 

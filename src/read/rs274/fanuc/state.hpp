@@ -105,6 +105,7 @@ struct FanucState : State {
 
     // Of the text as a whole.
     bool whole_number_said = false;
+    bool pointed_speed_said = false;  ///< of S with a point, too
     bool c_is_axis = false;  ///< of lathes: C is no chamfer
     bool corner_said = false;
     bool draws = false;  ///< of lathes: A is an angle, so that R and C are words of direct drawing input
@@ -204,6 +205,15 @@ void take_own_words(FanucState& s);
 
 // fanuc_frames.cpp
 void frame_special(FanucState& s, const FanucG& g, const Address& a);
+
+// fanuc_tilt.cpp
+/// G68.2, G53.1 and their like; false where it is none.
+[[nodiscard]] bool tilt_special(FanucState& s, const FanucG& g, const Address& a);
+/// The tilted plane ends where one is in force.
+void end_tilt(FanucState& s, const Address& a);
+/// Words that a block within a tilted plane has, and that are not known there.
+void refuse_in_tilt(FanucState& s);
+
 /// Radius or angle for an axis letter while polar coordinates hold.
 [[nodiscard]] std::optional<Code> polar_code(const FanucState& s, char letter);
 /// F as the program has written it last.

@@ -273,8 +273,28 @@ void put_value(FanucState& s, Order order, Code code, const Value& v, const Addr
     add_value(s, order, code, v, a.begin, a.end);
 }
 
+namespace {
+
+/// S1000.0: the control may stop there.
+void say_pointed_speed(FanucState& s, const Address& a) {
+    if (a.letter != 'S' || s.control.haas || !a.value.is_literal() || a.value.literal.integer || s.pointed_speed_said)
+        return;
+    s.pointed_speed_said = true;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::assumption;
+    d.where = s.build().span(a.begin, a.end);
+    d.text = "S is a whole number: with a point it is an alarm of the control (7), unless a parameter (3451 bit 2 of "
+             "mills) allows one decimal, which is rounded; it is taken as rounded here and in the rest of the program";
+    d.remedy = "write S without a point";
+    s.diagnostics.add(std::move(d));
+}
+
+}  // namespace
+
 void emit_address(FanucState& s, Address& a) {
     a.used = true;
+    say_pointed_speed(s, a);
     if (surface_word(s, a) || corner_word(s, a)) return;
     if (a.letter == 'T' && s.control.is_lathe()) return turret(s, a);
     if (const auto code = polar_code(s, a.letter)) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <cmath>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
@@ -50,6 +52,8 @@ void read_axis(const Value& v, base::Diagnostics& diagnostics, Machine& machine)
     axis.min = s.number("min");
     axis.max = s.number("max");
     axis.rapid = s.number("rapid", Range::positive).value_or(axis.rapid);
+    axis.acceleration = s.number("acceleration", Range::positive);
+    axis.jerk = s.number("jerk", Range::positive);
     axis.home = s.number("home");
     if (name) axis.name = base::to_upper(*name);
     read_direction(s, axis);
@@ -82,6 +86,22 @@ void read_spindle(Section& file, Machine& machine) {
         s.error(base::codes::job_value, find(e->value, "min")->value.where, "'min' must not be greater than 'max'");
 }
 
+void read_motion(Section& file, Machine& machine) {
+    const Entry* e = file.sub_table("motion");
+    if (!e) return;
+    Section s(e->value, "[motion]", file.diagnostics());
+    MachineMotion& m = machine.motion;
+    m.acceleration = s.number("acceleration", Range::positive);
+    m.jerk = s.number("jerk", Range::positive);
+    m.tolerance = s.number("tolerance", Range::positive);
+    m.block_time = s.number("block_time", Range::not_negative);
+    m.look_ahead = s.number("look_ahead", Range::not_negative);
+    m.spindle_time = s.number("spindle_time", Range::not_negative);
+    if (const auto c = s.choice("corner", {"exact-stop", "filter", "blend"}))
+        m.corner = std::array{CornerPassing::exact_stop, CornerPassing::filter, CornerPassing::blend}[*c];
+    s.finish();
+}
+
 void read_control(Section& file, Machine& machine) {
     const Entry* e = file.sub_table("control");
     if (!e) return;
@@ -89,6 +109,15 @@ void read_control(Section& file, Machine& machine) {
     if (const auto system = s.choice("g_code_system", {"A", "B", "C"})) machine.control.g_code_system = "ABC"[*system];
     if (const auto whole = s.choice("whole_numbers", {"increments", "units"}))
         machine.control.whole_numbers_count = *whole == 0;
+    if (const auto step = s.number("increment", Range::positive)) {
+        const double digits = std::round(-std::log10(*step)), per_mm = std::pow(10.0, digits);
+        constexpr double most_digits = 6, noise = 1e-9;
+        if (digits >= 0 && digits <= most_digits && std::abs(*step * per_mm - 1) < noise)
+            machine.control.increments_per_mm = per_mm;
+        else
+            s.error(base::codes::job_value, find(e->value, "increment")->value.where,
+                    "'increment' is 1 mm or a decimal part of it (0.001, 0.0001)");
+    }
     if (const auto angles = s.choice("angles", {"0-360", "180"})) machine.control.angles_from_zero = *angles == 0;
     s.finish();
 }
@@ -197,6 +226,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     read_chain(s, machine);
     read_tool_change_position(s, machine);
     read_spindle(s, machine);
+    read_motion(s, machine);
     apply_defaults(read_defaults(s), machine.defaults);
     read_control(s, machine);
     machine.datums = read_datums(s);

@@ -34,6 +34,7 @@ G54 = {x = 20, z = 300}
 [control]
 g_code_system = "B"
 whole_numbers = "units"
+increment = 0.0001
 [machine_data]
 "$MC_DIAMETER_AX_DEF" = 1
 mn_max = 2
@@ -60,6 +61,7 @@ mn_max = 2
     EXPECT_EQ(m.datums.at(54), (geom::Vec3{10, 0, 300}));
     EXPECT_EQ(m.control.g_code_system, 'B');
     EXPECT_EQ(m.control.whole_numbers_count, false);
+    EXPECT_EQ(m.control.increments_per_mm, 10000);
     EXPECT_EQ(m.machine_data, (std::map<std::string, double>{{"$MC_DIAMETER_AX_DEF", 1}, {"$MN_MAX", 2}}));
 }
 
