@@ -124,13 +124,14 @@ private:
     [[nodiscard]] Spot risen(const Piece& whole, Spot best, const Effort& effort) const;
     [[nodiscard]] Spot deepest_of(const std::vector<Piece>& pieces, Spot best, const Effort& effort) const;
     [[nodiscard]] bool is_shallow(const Piece& whole, geom::Vec3 normal, std::size_t& cells) const;
-    [[nodiscard]] double edge_depth(const Swept& whole, double depth, double most) const;
+    using Core = std::function<Shape(double)>;  ///< what lies so deep in a body, or in those it stands on
+    [[nodiscard]] double edge_depth(const Swept& whole, const Core& core, double depth, double most) const;
     [[nodiscard]] double reach_along(const Swept& whole, geom::Vec3 from, geom::Vec3 direction, double most) const;
     [[nodiscard]] double through(const Spot& spot) const;
     [[nodiscard]] double through_any(const std::vector<Piece>& pieces, const Spot& best) const;
     [[nodiscard]] Spot climbed_from(const std::vector<Piece>& pieces, geom::Vec3 from) const;
     [[nodiscard]] static Depth at_spot(const Spot& spot);
-    void measure_edge(const std::vector<Piece>& pieces, const Spot& best, Depth& out) const;
+    void measure_edge(const Shape& shape, const std::vector<Piece>& pieces, const Spot& best, Depth& out) const;
 
     const mesh::Distance& part_;
     mesh::Box box_, stock_box_;

@@ -91,7 +91,8 @@ void join(Tally& into, const Tally& t) {
         into.depth = t.depth;
         into.deepest = t.deepest;
     }
-    if (t.stack > 0) into.take_stack(t.stack, t.stack_off, t.stack_foot);
+    if (t.stack.height > 0) into.stack.take(t.stack);
+    if (t.seen.height > 0) into.seen.take(t.seen);
 }
 
 TileRange tiles_of(const Job& job, const Dexels& dexels, int axis) {

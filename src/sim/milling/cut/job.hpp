@@ -31,6 +31,17 @@ struct Job {
 [[nodiscard]] Job make_job(const Shape& shape, const Orientation& frame, const Track& track, geom::Vec3 from,
                            const Box3& stock);
 
+/// Material over the lower side of a tool, on one ray.
+struct Stack {
+    double height = 0, off = 0;  ///< off: of the ray from the way
+    geom::Vec3 foot;
+    /// Of equal ones the one nearest to the way.
+    void take(const Stack& other) {
+        constexpr double same = 1e-9;  // mm
+        if (other.height > height + same || (other.height > height - same && other.off < off)) *this = other;
+    }
+};
+
 /// What a job met in one tile. All but `touched` only for rays of the job's main direction; the depth for all.
 struct Tally {
     bool touched = false;
@@ -39,16 +50,7 @@ struct Tally {
     double rightmost = std::numeric_limits<double>::infinity(), leftmost = -std::numeric_limits<double>::infinity();
     double depth = 0;
     geom::Vec3 deepest;
-    double stack = 0, stack_off = 0;  ///< stack_off: of the ray from the way
-    geom::Vec3 stack_foot;
-    /// Of equal stacks the one nearest to the way.
-    void take_stack(double height, double off, geom::Vec3 foot) {
-        constexpr double same = 1e-9;  // mm
-        if (!(height > stack + same || (height > stack - same && off < stack_off))) return;
-        stack = height;
-        stack_off = off;
-        stack_foot = foot;
-    }
+    Stack stack, seen;  ///< as of Engagement
 };
 void join(Tally& into, const Tally& t);
 

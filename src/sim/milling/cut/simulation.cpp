@@ -240,9 +240,13 @@ void Simulation::flush() {
                 e.depth = t.depth;
                 e.deepest = t.deepest;
             }
-            if (t.stack > e.stack) {
-                e.stack = t.stack;
-                e.stack_foot = t.stack_foot;
+            if (t.stack.height > e.stack) {
+                e.stack = t.stack.height;
+                e.stack_foot = t.stack.foot;
+            }
+            if (t.seen.height > e.seen_stack) {
+                e.seen_stack = t.seen.height;
+                e.seen_foot = t.seen.foot;
             }
         }
         done_ = end;

@@ -66,6 +66,10 @@ struct Engagement {
     /// within nine tenths of its radius (not at its rim, which rubs along walls), and its lower end.
     double stack = 0;
     geom::Vec3 stack_foot;
+    /// The same without what a point of the tool that lies between the rays reaches lower than these: on a level face
+    /// that is too little, of one that slants `stack` may be too much.
+    double seen_stack = 0;
+    geom::Vec3 seen_foot;
 };
 
 /// Directions that a cutter's edge is engaged in, seen against the axis, counter-clockwise from `from` to `to`; 0 is

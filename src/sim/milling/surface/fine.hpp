@@ -111,6 +111,7 @@ private:
     [[nodiscard]] bool is_off(const Place& cell, std::size_t edge, double allowed, double in_material) const;
 
     [[nodiscard]] bool is_material(const Place& p) const;
+    [[nodiscard]] bool is_outermost(const Place& p) const;
     [[nodiscard]] bool is_special(const Leaf& leaf) const;
     [[nodiscard]] const Known* known(const ShortEdge& e) const;
     [[nodiscard]] bool is_far(const Near& near, const Leaf& leaf) const;
