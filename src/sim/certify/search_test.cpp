@@ -97,6 +97,22 @@ TEST(CertifiedSearch, a_wall_of_less_than_what_is_allowed_is_proved_to_be_thin_w
     }
 }
 
+/// The small body that is a tool's point, on a long way through a wall on a floor, however all of it leans.
+TEST(CertifiedSearch, a_point_through_a_thin_wall_on_a_floor_is_proved_on_a_long_way) {
+    constexpr double allowed = 0.05, wall = 0.035;
+    const Shape point{{0, 0, 0.05, 0.28, 0}};
+    for (const double lean : {0.0, 0.4, 1.0}) {
+        const geom::Frame turned = geom::Frame::rotation(1, lean) * geom::Frame::rotation(2, 0.8);
+        const mesh::Distance part(mesh::transformed(walled_floor(5, -wall / 2, wall / 2), turned));
+        const Judge judge(part, allowed);
+        const auto at = [&](double x, double y, double z) { return geom::apply(turned, Vec3{x, y, z}); };
+        const Move move{geom::Straight{at(-14, -12, -0.7), at(14, 12, -0.7)}, geom::apply_direction(turned, {0, 0, 1}),
+                        &point};
+        EXPECT_FALSE(judge.is_clear(move)) << lean;
+        EXPECT_TRUE(judge.is_thin(move, geom::apply_direction(turned, {1, 0, 0}))) << lean;
+    }
+}
+
 TEST(CertifiedSearch, a_wall_as_thick_as_is_allowed_is_not_thin) {
     const Shape mill = mill_of(2);
     const mesh::Distance part(mesh::box({0, -12, -10}, {0.0105, 12, 5}));

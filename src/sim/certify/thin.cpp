@@ -24,11 +24,17 @@ struct Cell {
 
 using Axes = std::array<Vec3, 3>;
 
-Axes axes_along(Vec3 normal) {
-    const Vec3 aside = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 first = cross(normal, aside), u = (1 / length(first)) * first;
+/// One of them as near to the tool's axis as may be: what the tool stands above, as a floor under a wall, is then below
+/// all boxes.
+Axes axes_along(Vec3 normal, Vec3 axis) {
+    Vec3 first = cross(normal, axis);
+    if (length(first) < 0.1) first = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+    const Vec3 u = (1 / length(first)) * first;
     return {normal, u, cross(normal, u)};
 }
+
+/// Of a body at rest.
+double size_of(const Body& b) { return std::max({b.r0, b.r1, (b.z1 - b.z0) / 2}) + b.rounding; }
 
 double reach_of(const Cell& c) { return std::hypot(c.half[0], c.half[1], c.half[2]); }
 
@@ -52,10 +58,11 @@ Cell around_body(const Swept& whole, const Axes& axes) {
     return cell;
 }
 
-/// Across what is thin until it is much thinner, then where it is longest.
-std::array<Cell, 2> halves_of(const Cell& c, const Axes& axes, double depth) {
+/// Where it is longer than the body: of a long way of a small one most boxes lie beside that. Then across what is thin
+/// until it is much thinner, then where it is longest.
+std::array<Cell, 2> halves_of(const Cell& c, const Axes& axes, double depth, double body) {
     const auto longest = static_cast<std::size_t>(std::max_element(c.half.begin(), c.half.end()) - c.half.begin());
-    const std::size_t k = c.half[0] > smallest_across * depth ? 0 : longest;
+    const std::size_t k = c.half[longest] <= body && c.half[0] > smallest_across * depth ? 0 : longest;
     Cell low = c;
     low.half[k] /= 2;
     Cell high = low;
@@ -122,8 +129,8 @@ bool is_near_outside(const mesh::Distance& part, const Cell& c, const Axes& axes
 
 /// A place is no deeper than it is far from any triangle; that distance is convex, so a box's corners bound it.
 bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) const {
-    const double depth = allowed_ / 2;
-    const Axes axes = axes_along(normal);
+    const double depth = allowed_ / 2, body = size_of(whole.body);
+    const Axes axes = axes_along(normal, whole.axis);
     std::vector<Cell> open{around_body(whole, axes)};
     while (!open.empty()) {
         const Cell cell = open.back();
@@ -144,7 +151,7 @@ bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) cons
         if (inside && place.distance > depth && geom::distance(cell.centre, nearest_within(whole, cell.centre)) <= 0)
             return false;
         if (reach < smallest_cell * depth) return false;
-        for (const Cell& half : halves_of(cell, axes, depth)) open.push_back(half);
+        for (const Cell& half : halves_of(cell, axes, depth, body)) open.push_back(half);
     }
     return true;
 }

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <random>
 
 #include "base/parallel.hpp"
@@ -96,16 +97,16 @@ TEST(Fine, a_stock_whose_mesh_crosses_itself_ends_within_the_lattice) {
                            {1, 7, 6},
                            {3, 0, 4},
                            {3, 4, 7}}};
-    for (const double tolerance : {0.05, 0.2}) {
-        Simulation s(stock, *make_lattice(box_of(stock), step_for(tolerance, 1)), tolerance);
-        Pass pass;
-        pass.path = geom::Straight{{7.4, 33.7, -23}, {2.1, 32.4, -19.3}};
-        pass.tool = s.add_tool(testing::shape_of({RoundTool::Kind::ball, 1}));
-        EXPECT_EQ(s.add(pass), Taken::taken);
-        s.flush();
-        const mesh::Box box = mesh::bounds(extract_surface(s).mesh);
-        EXPECT_GT(box.lo.z, -35.384 - 4 * s.dexels().lattice().step.z) << tolerance;
-    }
+    constexpr double tolerance = 0.05;
+    Simulation s(stock, *make_lattice(box_of(stock), step_for(tolerance, 1)), tolerance);
+    Pass pass;
+    pass.path = geom::Straight{{7.4, 33.7, -23}, {2.1, 32.4, -19.3}};
+    pass.tool = s.add_tool(testing::shape_of({RoundTool::Kind::ball, 1}));
+    EXPECT_EQ(s.add(pass), Taken::taken);
+    s.flush();
+    std::atomic<int> asked = 0;  // what follows takes long, as nothing of it can be right
+    const Surface found = extract_surface(s, [&] { return ++asked > 4; });
+    EXPECT_GT(mesh::bounds(found.mesh).lo.z, -35.384 - 4 * s.dexels().lattice().step.z);
 }
 
 TEST(Fine, a_fin_thinner_than_the_lattice_stays) {
