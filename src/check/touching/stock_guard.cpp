@@ -98,8 +98,8 @@ bool StockGuard::in_emptied(const StockPass& q, const milling::Simulation& simul
 void StockGuard::look_over_tips(const milling::Simulation& simulation) {
     std::vector<const StockPass*> looked;
     for (const StockPass& q : queued_) {
-        const milling::Engagement& met = simulation.engagements()[q.number];
-        if (!q.body && met.stack > met.seen_stack + least_ && over_tips_.size() + looked.size() < most_tips)
+        const milling::Stacks met = simulation.stacks_of(q.number);
+        if (!q.body && met.to_tip.height > met.seen.height + least_ && over_tips_.size() + looked.size() < most_tips)
             looked.push_back(&q);
     }
     if (looked.empty() || !simulation.stock_body().closed()) return;

@@ -54,13 +54,6 @@ double width_of(const Swept& swept, const mesh::Box& part, Vec3 p, Vec3 across) 
     return reach(across) + reach(-1.0 * across);
 }
 
-/// A body is one of them.
-bool holds(const Joined& joined, const Body& body) {
-    return std::any_of(joined.bodies.begin(), joined.bodies.end(), [&](const Body& b) {
-        return b.rounding == body.rounding && b.z0 == body.z0 && b.z1 == body.z1 && b.r0 == body.r0 && b.r1 == body.r1;
-    });
-}
-
 }  // namespace
 
 /// How deep the part's surface lies in a body that `core` makes smaller, where that is between `depth` and `most`.
@@ -214,7 +207,7 @@ void Judge::measure_edge(const Shape& shape, const std::vector<Piece>& pieces, c
         out.depth = std::max(out.depth, edge_depth(p, core, out.depth, sharpest * best.depth));
         // What lies at a ring between two bodies lies deep in neither.
         for (const Joined& j : joined)
-            if (holds(j, p.body)) {
+            if (j.holds(p.body)) {
                 const auto inner = [&](double d) { return core_of(j, d); };
                 out.depth = std::max(out.depth, edge_depth(p, inner, out.depth, sharpest * best.depth));
             }

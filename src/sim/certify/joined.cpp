@@ -41,6 +41,12 @@ double meeting(const Line& a, const Line& b) { return (b.at - a.at) / (a.rises -
 
 }  // namespace
 
+bool Joined::holds(const Body& body) const {
+    return std::any_of(bodies.begin(), bodies.end(), [&](const Body& b) {
+        return b.rounding == body.rounding && b.z0 == body.z0 && b.z1 == body.z1 && b.r0 == body.r0 && b.r1 == body.r1;
+    });
+}
+
 std::vector<Joined> joined_in(const Shape& shape) {
     std::vector<Joined> out;
     for (std::size_t first = 0, end = 0; first < shape.size(); first = end) {

@@ -13,6 +13,7 @@ namespace obrys::sim::certify {
 struct Joined {
     std::span<const Body> bodies;
     bool open_below = false;  ///< a ball or a round rim as wide lies below: it has no end there
+    [[nodiscard]] bool holds(const Body& body) const;
 };
 /// Those of a shape that are more than one body alone. `shape` must outlive them.
 [[nodiscard]] std::vector<Joined> joined_in(const Shape& shape);

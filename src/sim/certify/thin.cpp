@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/certify/certify.hpp"
+#include "sim/certify/joined.hpp"
 
 namespace obrys::sim::certify {
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t most_cells = 100'000;   ///< of a move
 constexpr double smallest_cell = 0.125;       ///< of the depth
 constexpr double smallest_across = 1.0 / 16;  ///< of the depth
+constexpr double hardly_more = 1.04;  ///< of what is allowed: chords of a curve may stand off by half of the rest
 
 /// A box along three unit vectors, half its size along each.
 struct Cell {
@@ -128,8 +130,8 @@ bool is_near_outside(const mesh::Distance& part, const Cell& c, const Axes& axes
 }  // namespace
 
 /// A place is no deeper than it is far from any triangle; that distance is convex, so a box's corners bound it.
-bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) const {
-    const double depth = allowed_ / 2, body = size_of(whole.body);
+bool Judge::is_shallow(const Piece& whole, Vec3 normal, double depth, std::size_t& cells) const {
+    const double body = size_of(whole.body);
     const Axes axes = axes_along(normal, whole.axis);
     std::vector<Cell> open{around_body(whole, axes)};
     while (!open.empty()) {
@@ -160,8 +162,34 @@ bool Judge::is_thin(const Move& move, Vec3 normal) const {
     std::vector<Piece> failing;
     if (clear_between(move, 0, 1, {allowed_, Of::part_in_stock}, &failing)) return true;
     std::size_t cells = most_cells;
-    return length(normal) > 0.5 && !failing.empty() &&
-           std::all_of(failing.begin(), failing.end(), [&](const Piece& p) { return is_shallow(p, normal, cells); });
+    return length(normal) > 0.5 && !failing.empty() && std::all_of(failing.begin(), failing.end(), [&](const Piece& p) {
+               return is_shallow(p, normal, allowed_ / 2, cells);
+           });
+}
+
+bool Judge::holds_surface(const Piece& whole, const std::vector<Joined>& joined, double depth) const {
+    const auto meets_inner = [&](const Body& body) {
+        Swept inner = whole;
+        inner.body = body;
+        return meets(inner);
+    };
+    if (const std::optional<Body> core = core_of(whole.body, depth); core && meets_inner(*core)) return true;
+    return std::any_of(joined.begin(), joined.end(), [&](const Joined& j) {
+        if (!j.holds(whole.body)) return false;
+        const Shape core = core_of(j, depth);
+        return std::any_of(core.begin(), core.end(), meets_inner);
+    });
+}
+
+bool Judge::is_no_deeper(const Move& move, Vec3 normal) const {
+    std::vector<Piece> failing;
+    if (clear_between(move, 0, 1, {allowed_, Of::part_in_stock}, &failing)) return true;
+    if (!(length(normal) > 0.5) || failing.empty()) return false;
+    const std::vector<Joined> joined = joined_in(*move.shape);
+    std::size_t cells = most_cells;
+    return std::all_of(failing.begin(), failing.end(), [&](const Piece& p) {
+        return !holds_surface(p, joined, hardly_more * allowed_) && is_shallow(p, normal, allowed_, cells);
+    });
 }
 
 }  // namespace obrys::sim::certify

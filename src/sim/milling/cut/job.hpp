@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/milling/cut/stack.hpp"
 #include "sim/milling/dexel.hpp"
 #include "sim/milling/rays/rows.hpp"
 #include "sim/milling/shape.hpp"
@@ -31,17 +32,6 @@ struct Job {
 [[nodiscard]] Job make_job(const Shape& shape, const Orientation& frame, const Track& track, geom::Vec3 from,
                            const Box3& stock);
 
-/// Material over the lower side of a tool, on one ray.
-struct Stack {
-    double height = 0, off = 0;  ///< off: of the ray from the way
-    geom::Vec3 foot;
-    /// Of equal ones the one nearest to the way.
-    void take(const Stack& other) {
-        constexpr double same = 1e-9;  // mm
-        if (other.height > height + same || (other.height > height - same && other.off < off)) *this = other;
-    }
-};
-
 /// What a job met in one tile. All but `touched` only for rays of the job's main direction; the depth for all.
 struct Tally {
     bool touched = false;
@@ -50,7 +40,7 @@ struct Tally {
     double rightmost = std::numeric_limits<double>::infinity(), leftmost = -std::numeric_limits<double>::infinity();
     double depth = 0;
     geom::Vec3 deepest;
-    Stack stack, seen;  ///< as of Engagement
+    Stacks stacks;  ///< of jobs that do not cut
 };
 void join(Tally& into, const Tally& t);
 

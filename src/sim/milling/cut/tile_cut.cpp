@@ -247,8 +247,8 @@ private:
         Vec3 foot = node(local);
         set_component(foot, place_.axis, one < other ? found.lowest : found.highest);
         const double high = std::max(one, other);
-        tally_.seen.take({high - least, off, foot});
-        tally_.stack.take({high - low, off, foot + (low - least) * job_.frame.z});
+        tally_.stacks.seen.take({high - least, off, foot});
+        tally_.stacks.to_tip.take({high - low, off, foot + (low - least) * job_.frame.z});
     }
 
     static constexpr double rim = 0.9;  ///< of the radius: what lies farther out may be a wall along which it rubs
