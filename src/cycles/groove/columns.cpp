@@ -47,7 +47,7 @@ void alternate(Blade& blade, double first, double second) {
 }  // namespace
 
 std::vector<double> columns(double begin, double end, double step) {
-    const int gaps = std::max(0, static_cast<int>(std::ceil((end - begin) / step - nothing)));
+    const int gaps = steps_of(end - begin, step);
     std::vector<double> u{begin};
     for (int i = 1; i <= gaps; ++i) u.push_back(i == gaps ? end : begin + (end - begin) * i / gaps);
     return u;
@@ -93,9 +93,9 @@ std::optional<Refusal> multiple(Blade& blade) {
     // Round corners leave room on both sides of a rib: what is between two full cuts must fit the next one's edge.
     const double round = blade.corner_radius(), between = std::min(widest, w - 4 * round);
     const double step = between > 0 ? w + between : w - 2 * round;
-    int full = 1 + std::max(0, static_cast<int>(std::ceil((flat - w) / step - nothing)));
+    int full = 1 + steps_of(flat - w, step);
     if (full > 1 && flat - full * w <= 0)  // no ribs: the edges of the full cuts alone make the bottom
-        full = 1 + static_cast<int>(std::ceil((flat - w) / (w - 2 * round) - nothing));
+        full = 1 + steps_of(flat - w, w - 2 * round);
     const double rib = full > 1 ? (flat - full * w) / (full - 1) : -w;
     Doings& does = blade.doings();
     does.columns = does.full_columns = static_cast<std::size_t>(full);

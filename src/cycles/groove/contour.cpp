@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::cycles::groove {
 
@@ -231,11 +232,23 @@ std::optional<Refusal> refused(const Request& request, const Contours& c) {
                            mm(insert.width),
                        "give `stepover` at most the insert's width, usually 0.8 of it"};
     const double deep = c.finished.crest() - c.finished.bottom + manner.clearance;
+    double least = manner.infeed;
+    for (const double step : {manner.peck, manner.layer}) least = step > 0 ? std::min(least, step) : least;
+    const double across = c.finished.wall(Side::right).edge.x - c.finished.wall(Side::left).edge.x;
+    if ((1 + deep / least) * (1 + across / manner.stepover) > most_cuts)
+        return Refusal{Guard::infeed,
+                       "steps of " + mm(least) + " down and " + mm(manner.stepover) + " sideways make more than " +
+                           base::shortest(most_cuts) + " cuts",
+                       "give `infeed`, `stepover`, `peck` or `layer` a larger length"};
     if (deep > insert.reach)
         return Refusal{Guard::overhang,
                        "the groove with its clearance is " + mm(deep) + " deep, the insert reaches " + mm(insert.reach),
                        "take a longer blade (`reach`), or make the groove less deep"};
     return std::nullopt;
+}
+
+int steps_of(double length, double step) {
+    return base::clipped<int>(std::ceil(length / step - nothing), 0, 1'000'000);
 }
 
 std::string_view name_of(Guard guard) {

@@ -88,6 +88,11 @@ enum class Guard : std::uint8_t {
 };
 [[nodiscard]] std::string_view name_of(Guard guard);
 
+/// Equal steps of at most `step` that make up `length`.
+[[nodiscard]] int steps_of(double length, double step);
+/// More cuts than this are refused: nobody means them.
+inline constexpr double most_cuts = 100'000;
+
 /// Why there is no path: nothing is ever made in spite of it.
 struct Refusal {
     Guard guard = Guard::infeed;

@@ -11,7 +11,7 @@ namespace obrys::cycles::groove {
 namespace {
 
 /// Equal layers, at most `thickest`, from the crest to the bottom.
-std::vector<double> levels_of(const Contour& c, double thickest) {
+std::vector<double> equal_levels(const Contour& c, double thickest) {
     const double deep = c.crest() - c.bottom;
     const int n = std::max(1, static_cast<int>(std::ceil(deep / thickest - nothing)));
     std::vector<double> v;
@@ -70,7 +70,7 @@ void ramp(Blade& blade, Vec2 from, Vec2 to, double back) {
 
 void layer_by_layer(Blade& blade) {
     const Contour& c = blade.contour();
-    const std::vector<double> levels = levels_of(c, blade.manner().infeed);
+    const std::vector<double> levels = equal_levels(c, blade.manner().infeed);
     note_layers(blade, levels);
     Side side = low_side(c);
     double above = c.crest();
@@ -98,7 +98,7 @@ std::optional<Refusal> plunge_turning(Blade& blade) {
                        "a layer of " + base::shortest(m.layer) + " mm is more than " + base::shortest(thickest_layer) +
                            " of the insert's width, " + base::shortest(most) + " mm",
                        "give `layer` at most that, or leave it out"};
-    const std::vector<double> levels = levels_of(c, m.layer > 0 ? m.layer : std::min(m.infeed, most));
+    const std::vector<double> levels = equal_levels(c, m.layer > 0 ? m.layer : std::min(m.infeed, most));
     note_layers(blade, levels);
     Side side = low_side(c);
     double above = c.crest();
@@ -130,7 +130,8 @@ std::optional<Refusal> ramping(Blade& blade) {
                        "beside the insert the bottom has " + base::shortest(free) +
                            " mm for ramps: less than half of the insert's width",
                        "take a narrower insert or another strategy"};
-    const std::vector<double> levels = levels_of(c, std::min({m.infeed, thickest_ramp * blade.width(), free * slope}));
+    const std::vector<double> levels =
+        equal_levels(c, std::min({m.infeed, thickest_ramp * blade.width(), free * slope}));
     note_layers(blade, levels);
     const Side side = low_side(c);
     const double way = outward(other(side));

@@ -178,7 +178,7 @@ void Blade::wedge(Side side, double level, double clean) {
     const double from = contour_.u_of(side, level), to = contour_.u_of(side, clean);
     const double width = std::abs(to - from);
     if (width < nothing) return;
-    const int n = std::max(1, static_cast<int>(std::ceil(width / manner().stepover - nothing)));
+    const int n = std::max(1, steps_of(width, manner().stepover));
     double reached = level;
     for (int i = 1; i <= n; ++i) {
         const double u = from + (to - from) * i / n;

@@ -55,7 +55,7 @@ void side_stepping(Blade& blade, Side start) {
     }
     // Back over the staircase, from where the bottom was reached.
     const double far = blade.flush(stair.toward, contour.bottom), way = far - *first_on_bottom;
-    const int n = static_cast<int>(std::ceil(std::abs(way) / blade.manner().stepover - nothing));
+    const int n = steps_of(std::abs(way), blade.manner().stepover);
     for (int i = 1; i <= n; ++i) blade.plunge(i == n ? far : *first_on_bottom + way * i / n, contour.bottom);
     blade.wedge(stair.toward, contour.bottom, clean[index(stair.toward)]);
     blade.dwell();
