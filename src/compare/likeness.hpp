@@ -122,18 +122,14 @@ public:
                share(a.feed, b.feed);
     }
     [[nodiscard]] bool operator()(const cl::MachinePlace& a, const cl::MachinePlace& b) const {
-        return (says_alike(a, b) || (is_known(a) && is_known(b))) && a.axes == b.axes && place(a.to, b.to) &&
-               a.tip == b.tip;
+        const bool alike = a.kind == b.kind ? a.number == b.number : is_place_of_home(a, b) || is_place_of_home(b, a);
+        return alike && a.axes == b.axes && place(a.to, b.to) && a.tip == b.tip;
     }
-    [[nodiscard]] static bool says_alike(const cl::MachinePlace& a, const cl::MachinePlace& b) {
-        return a.kind == b.kind && a.number == b.number;
-    }
-    /// Its coordinates in the machine say it all, whichever word leads there: G28 to a home that the machine file
-    /// gives.
-    [[nodiscard]] static bool is_known(const cl::MachinePlace& p) {
-        const auto there = [](bool named, double v) { return !named || std::isfinite(v); };
-        return p.kind != cl::PlaceKind::frame && there(p.axes[0], p.to.x) && there(p.axes[1], p.to.y) &&
-               there(p.axes[2], p.to.z);
+    /// A reference point whose coordinates are known is the place that the other leads to by them (G28, M91).
+    [[nodiscard]] static bool is_place_of_home(const cl::MachinePlace& home, const cl::MachinePlace& said) {
+        const auto known = [](bool named, double v) { return !named || std::isfinite(v); };
+        return home.kind == cl::PlaceKind::home && said.kind == cl::PlaceKind::coordinates &&
+               known(home.axes[0], home.to.x) && known(home.axes[1], home.to.y) && known(home.axes[2], home.to.z);
     }
     [[nodiscard]] bool operator()(const cl::Datum& a, const cl::Datum& b) const {
         return a.number == b.number && place(a.origin, b.origin);
