@@ -12,7 +12,7 @@ namespace {
 
 const std::vector<std::string>& commands() {
     static const std::vector<std::string> words{"check", "run",  "plot", "fmt",     "translate", "compare",
-                                                "sheet", "time", "post", "version", "help"};
+                                                "sheet", "time", "calibrate", "post", "version", "help"};
     return words;
 }
 
