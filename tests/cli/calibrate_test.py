@@ -63,7 +63,7 @@ def main():
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
         (folder / "shop.toml").write_text(MACHINE)
-        made = run("calibrate", "--program", "--to", "linuxcnc", "-o", "part.ngc", cwd=folder)
+        made = run("calibrate", "--program", "--to", "linuxcnc", "--size", "600", "-o", "part.ngc", cwd=folder)
         if made.returncode != 0:
             print(made.stderr)
             return 1
@@ -114,7 +114,7 @@ def main():
             bad = run("calibrate", "shop.toml", "runs.csv", cwd=folder)
             if bad.returncode != 2 or where not in bad.stderr or what not in bad.stderr:
                 faults.append(f"{table!r}: {bad.returncode} {bad.stderr}")
-        for post in ("fanuc", "heidenhain", "sinumerik-840d", "haas", "linuxcnc"):
+        for post in ("fanuc", "heidenhain-itnc530", "heidenhain-iso", "sinumerik-840d", "haas", "linuxcnc"):
             made = run("calibrate", "--program", "--to", post, cwd=folder)
             if made.returncode != 0 or not made.stdout:
                 faults.append(f"--to {post}: {made.returncode} {made.stderr}")

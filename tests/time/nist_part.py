@@ -12,10 +12,16 @@ CYCLE_VALUE = re.compile(r"\(\s*Q(\d+)=\s*([+-]?[\d.]+)")
 WORD = re.compile(r"([GXYZIJF])([+-]?\d*\.?\d+)")
 
 
+def is_arc(start, end, centre):
+    """False: three decimals of an inch leave nothing of a circle as small as this, and the control would not take it."""
+    radii = [math.dist((p["X"], p["Y"]), centre) for p in (start, end)]
+    return abs(radii[0] - radii[1]) < min(0.0004, 0.05 * max(radii))
+
+
 def klartext(twin):
     """The program, and the tools in their order."""
     out, tools = ["BEGIN PGM NIST INCH"], []
-    mode, fed, cycle, starts = 0, "", [], False
+    mode, fed, cycle, starts, place = 0, "", [], False, {}
     for raw in twin.splitlines():
         line = raw.strip()
         if called := CALL.match(line):
@@ -41,10 +47,14 @@ def klartext(twin):
             if not any(k in words for k in "XYZ"):
                 continue
             end = "".join(f" {k}{float(words[k]):+.5f}" for k in "XYZ" if k in words and (mode < 2 or k != "Z"))
-            if mode >= 2:
+            start = dict(place)
+            place.update({k: float(words[k]) for k in "XYZ" if k in words})
+            if mode >= 2 and is_arc(start, place, (float(words["I"]), float(words["J"]))):
                 out.append(f"CC X{float(words['I']):+.5f} Y{float(words['J']):+.5f}")
                 out.append(f"C{end} DR{'-' if mode == 2 else '+'} R0 F{fed}")
             else:
+                if mode >= 2 and "Z" in words:
+                    end += f" Z{float(words['Z']):+.5f}"
                 out.append(f"L{end} R0 " + ("FMAX" if mode == 0 else f"F{fed}"))
                 if starts:
                     out[-1] += " M3"

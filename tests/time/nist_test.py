@@ -66,6 +66,8 @@ def by_tool(told, program):
         before = height
         if " L " in text and (z := re.search(r"Z([+-][\d.]+)", text)):
             height = float(z[1])
+        elif "CYCL CALL" in text:
+            height = 0.0
         line = seconds.get(i, {"seconds": 0, "causes": {}})
         whole[number] = whole.get(number, 0) + line["seconds"]
         if before < 1 and height < 1:

@@ -82,6 +82,15 @@ def least_time(points):
     return float(2 * times_of(s, b)[-1] - once)
 
 
+def best_of(points):
+    """The programs may end in a valley that is not the deepest: of two grids the better one counts."""
+    global CELLS
+    found = []
+    for CELLS in (150, 220):
+        found.append(least_time(points))
+    return min(found)
+
+
 def times_of(s, b):
     v = np.sqrt(b)
     return np.concatenate([[0], np.cumsum(2 * np.diff(s) / (v[1:] + v[:-1]))])
@@ -180,7 +189,7 @@ def main():
             run = subprocess.run([obrys, "time", "p.ngc", "--control", "linuxcnc", "--machine", "m.toml", "--format", "json"],
                                  capture_output=True, text=True, cwd=folder)
             seconds = json.loads(run.stdout)["total_s"]
-            off = seconds / least_time(points) - 1
+            off = seconds / best_of(points) - 1
             over.append(off)
             if not TOO_FAST <= off <= TOO_SLOW:
                 faults.append(f"polyline {number}: {off:+.2%}: {points}")

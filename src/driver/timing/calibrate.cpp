@@ -14,7 +14,8 @@ namespace times = sim::time;
 
 namespace {
 
-constexpr double relative_spread = 0.01, absolute_spread = 0.2;  ///< of a measured time, s: what the model leaves out
+/// Of a measured time: what the model leaves out, s, and how much events differ from time to time.
+constexpr double relative_spread = 0.01, absolute_spread = 0.2, event_spread = 0.3;
 constexpr const char* all_rapids = "axis.rapid";
 
 void apply(times::Dynamics& d, const std::string& name, double value) {
@@ -25,18 +26,27 @@ void apply(times::Dynamics& d, const std::string& name, double value) {
     for (times::AxisLimits& axis : d.axes) axis.speed *= value;  // a factor
 }
 
-double seconds_of(const Run& run, const times::Times& t, const Session& s) {
+times::Seconds spent_in(const Run& run, const times::Times& t, const Session& s) {
     if (!run.first && !run.last) {
-        if (!run.tool) return times::sum(t.all);
+        if (!run.tool) return t.all;
         const auto found = t.tools.find(*run.tool);
-        return found == t.tools.end() ? 0 : times::sum(found->second);
+        return found == t.tools.end() ? times::Seconds{} : found->second;
     }
-    double sum = 0;
+    times::Seconds sum{};
     for (const times::Spent& spent : t.places) {
         if (spent.place.file != s.main->file) continue;
         const std::uint32_t line = s.sources.position(spent.place.file, spent.place.begin).line;
-        if (line >= run.first.value_or(0) && line <= run.last.value_or(UINT32_MAX)) sum += spent.seconds;
+        if (line >= run.first.value_or(0) && line <= run.last.value_or(UINT32_MAX))
+            sum[static_cast<std::size_t>(spent.cause)] += spent.seconds;
     }
+    return sum;
+}
+
+/// Of what takes more or less each time: how far the magazine turns, how fast the spindle was.
+double of_events(const times::Seconds& s) {
+    double sum = 0;
+    for (const times::Cause c : {times::Cause::tool_change, times::Cause::spindle, times::Cause::m_function})
+        sum += s[static_cast<std::size_t>(c)];
     return sum;
 }
 
@@ -86,14 +96,14 @@ bool Recorded::open(const Request& request, std::uint32_t table, std::vector<Run
 }
 
 std::vector<std::vector<double>> Recorded::seconds(const std::vector<std::vector<Change>>& sets,
-                                                   std::optional<times::CornerMode> corner) {
+                                                   times::CornerMode corner) {
     std::vector<std::vector<double>> all(sets.size(), std::vector<double>(parts_.size(), 0.0));
     for (std::size_t p = 0; p < programs_.size(); ++p) {
         Session run(programs_[p]);
         std::vector<Timing> timings;
         for (const std::vector<Change>& set : sets) {
             Timing t{dynamics_of(run), {}};
-            if (corner) t.dynamics.corner = *corner;
+            t.dynamics.corner = corner;
             for (const auto& [name, value] : set) apply(t.dynamics, name, value);
             timings.push_back(std::move(t));
         }
@@ -105,15 +115,16 @@ std::vector<std::vector<double>> Recorded::seconds(const std::vector<std::vector
             if (!timed.front().times.is_understood())
                 parts_[k].fitted.not_whole = "a feed, a place or a spindle's speed is not known";
             for (std::size_t i = 0; i < sets.size(); ++i)
-                all[i][k] = seconds_of(parts_[k].fitted.run, timed[i].times, run);
+                all[i][k] = times::sum(spent_in(parts_[k].fitted.run, timed[i].times, run));
+            if (parts_[k].events < 0) parts_[k].events = of_events(spent_in(parts_[k].fitted.run, timed[0].times, run));
         }
     }
     return all;
 }
 
-std::vector<std::pair<std::string, times::Unknown>> Recorded::unknowns() const {
+Recorded::Unknowns Recorded::unknowns(bool lags) const {
     const times::Dynamics d = dynamics_of(*programs_.front());
-    std::vector<std::pair<std::string, times::Unknown>> out;
+    Unknowns out;
     double rapids = 0;
     for (const times::Value& v : d.values) {
         if (v.name.starts_with("axis.") && v.name.ends_with(".rapid") && v.name.size() == 12)
@@ -123,9 +134,8 @@ std::vector<std::pair<std::string, times::Unknown>> Recorded::unknowns() const {
                             v.name == "motion.block_time" || v.name == "motion.tolerance" ||
                             v.name == "motion.servo_gain";
         if (!fitted || std::isnan(v.value)) continue;
-        // A machine that is assumed not to lag may all the same: from where it does not matter much.
-        constexpr double hardly_lags = 60;
-        const double value = v.value == 0 && v.name == "motion.servo_gain" && v.assumed ? hardly_lags : v.value;
+        constexpr double usual_gain = 1000.0 / 60;  // 1 m/min/mm
+        const double value = v.value == 0 && v.name == "motion.servo_gain" && lags ? usual_gain : v.value;
         if (value > 0) out.emplace_back(v.name, times::Unknown{value, spread_of(v)});
     }
     if (rapids > 0) out.emplace_back(all_rapids, times::Unknown{1, rapids});
@@ -134,55 +144,79 @@ std::vector<std::pair<std::string, times::Unknown>> Recorded::unknowns() const {
     return out;
 }
 
-Calibration Recorded::calibrate() {
-    Calibration c;
-    std::vector<times::Measured> measured;
+std::vector<times::Measured> Recorded::measured() const {
+    std::vector<times::Measured> out;
     for (const Part& p : parts_)
-        measured.push_back({p.fitted.measured, relative_spread * p.fitted.measured + absolute_spread});
-    const auto names = unknowns();
+        out.push_back({p.fitted.measured, std::hypot(relative_spread * p.fitted.measured + absolute_spread,
+                                                     event_spread * std::max(0.0, p.events))});
+    return out;
+}
+
+times::Fitted Recorded::fit(const Unknowns& names, times::CornerMode corner) {
     std::vector<times::Unknown> open;
     for (const auto& [name, unknown] : names) open.push_back(unknown);
-    const times::Dynamics as_it_is = dynamics_of(*programs_.front());
-    const auto said = std::find_if(as_it_is.values.begin(), as_it_is.values.end(),
-                                   [](const times::Value& v) { return v.name == "motion.corner"; });
-    std::vector<times::CornerMode> modes{as_it_is.corner};
-    if (said->assumed)
-        modes = {times::CornerMode::filter, times::CornerMode::blend, times::CornerMode::exact_stop};
-    times::Fitted best;
-    double second = INFINITY;
-    for (std::size_t m = 0; m < modes.size(); ++m) {
-        const times::Model model = [&](const std::vector<std::vector<double>>& sets) {
-            std::vector<std::vector<Change>> changes;
-            for (const std::vector<double>& set : sets) {
-                std::vector<Change>& change = changes.emplace_back();
-                for (std::size_t i = 0; i < set.size(); ++i) change.emplace_back(names[i].first, set[i]);
-            }
-            return seconds(changes, modes[m]);
-        };
-        times::Fitted fitted = times::fit(open, measured, model);
-        const bool better = m == 0 || fitted.misfit < best.misfit;
-        second = std::min(second, m == 0 ? INFINITY : better ? best.misfit : fitted.misfit);
-        if (better) best = std::move(fitted);
-        if (better && said->assumed) c.corner = times::corner_names[static_cast<std::size_t>(modes[m])];
-    }
-    constexpr double clearly = 4;  // two standard deviations
-    c.corner_is_seen = !c.corner.empty() && second - best.misfit > clearly;
-    c.singular = best.singular;
-    const std::vector<double> before = seconds({{}}, {}).front();
+    return times::fit(open, measured(), [&](const std::vector<std::vector<double>>& sets) {
+        std::vector<std::vector<Change>> changes;
+        for (const std::vector<double>& set : sets) {
+            std::vector<Change>& change = changes.emplace_back();
+            for (std::size_t i = 0; i < set.size(); ++i) change.emplace_back(names[i].first, set[i]);
+        }
+        return seconds(changes, corner);
+    });
+}
+
+void Recorded::compare_runs(Calibration& c, const std::vector<double>& before, const std::vector<double>& fitted) {
     double squares_before = 0, squares_after = 0;
     for (std::size_t k = 0; k < parts_.size(); ++k) {
         FittedRun& run = parts_[k].fitted;
         run.before = before[k];
-        run.after = best.predicted[k];
+        run.after = fitted[k];
         squares_before += std::pow(run.before / run.measured - 1, 2);
         squares_after += std::pow(run.after / run.measured - 1, 2);
         c.runs.push_back(run);
     }
     c.residual_before = std::sqrt(squares_before / static_cast<double>(parts_.size()));
     c.residual_after = std::sqrt(squares_after / static_cast<double>(parts_.size()));
+}
+
+Calibration Recorded::calibrate() {
+    Calibration c;
+    const times::Dynamics as_it_is = dynamics_of(*programs_.front());
+    const auto is_assumed = [&](const std::string& name) {
+        return std::any_of(as_it_is.values.begin(), as_it_is.values.end(),
+                           [&](const times::Value& v) { return v.name == name && v.assumed; });
+    };
+    const bool corner_is_open = is_assumed("motion.corner");
+    c.lag_is_open = as_it_is.servo_gain == 0 && is_assumed("motion.servo_gain");
+    std::vector<times::CornerMode> modes{as_it_is.corner};
+    if (corner_is_open)
+        modes = {times::CornerMode::filter, times::CornerMode::blend, times::CornerMode::exact_stop};
+    const std::vector<double> before = seconds({{}}, as_it_is.corner).front();
+    constexpr double clearly = 4;  // two standard deviations
+    times::Fitted best;
+    Unknowns names;
+    double other_corner = INFINITY;
+    for (const times::CornerMode mode : modes) {
+        bool lags = false;
+        Unknowns of = unknowns(false);
+        times::Fitted fitted = fit(of, mode);
+        if (c.lag_is_open) {
+            Unknowns with_lag = unknowns(true);
+            times::Fitted other = fit(with_lag, mode);
+            if ((lags = other.misfit + clearly < fitted.misfit)) fitted = std::move(other), of = std::move(with_lag);
+        }
+        const bool better = mode == modes.front() || fitted.misfit < best.misfit;
+        if (mode != modes.front()) other_corner = std::min(other_corner, better ? best.misfit : fitted.misfit);
+        if (!better) continue;
+        best = std::move(fitted), names = std::move(of), c.lags = lags;
+        if (corner_is_open) c.corner = times::corner_names[static_cast<std::size_t>(mode)];
+    }
+    c.corner_is_seen = corner_is_open && other_corner - best.misfit > clearly;
+    c.singular = best.singular;
+    compare_runs(c, before, best.predicted);
     for (std::size_t i = 0; i < names.size(); ++i)
-        c.values.push_back(
-            {names[i].first, open[i].value, best.values[i].value, best.values[i].spread, best.values[i].sight});
+        c.values.push_back({names[i].first, names[i].second.value, best.values[i].value, best.values[i].spread,
+                            best.values[i].sight});
     for (const FittedRun& run : c.runs)
         for (std::size_t i = 0; run.trace && i < 3; ++i)
             if (const double shown = run.trace->speed[i] * 60; shown > as_it_is.axes[i].speed * 60 * 1.01)

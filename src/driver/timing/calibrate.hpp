@@ -33,6 +33,8 @@ struct Calibration {
     std::vector<double> singular;
     std::string corner;            ///< how corners are passed, where the machine file does not say it; empty: it does
     bool corner_is_seen = false;   ///< the other ways fit clearly worse
+    bool lag_is_open = false;      ///< the machine file does not say whether axes lag at stops
+    bool lags = false;             ///< that they do fits clearly better
     double residual_before = 0, residual_after = 0;  ///< root of the mean square, of the measured seconds
     std::vector<std::pair<std::string, double>> exceeded;  ///< by a trace: "axis.X.rapid" and what it shows
 };
@@ -52,12 +54,17 @@ private:
     struct Part {
         FittedRun fitted;
         std::size_t program = 0;
+        double events = -1;  ///< s by the machine as it is, of tool changes and the like; below 0: not looked at
     };
     using Change = std::pair<std::string, double>;
     /// Seconds of each run, for each set of changes to the machine.
     [[nodiscard]] std::vector<std::vector<double>> seconds(const std::vector<std::vector<Change>>& sets,
-                                                           std::optional<sim::time::CornerMode> corner);
-    [[nodiscard]] std::vector<std::pair<std::string, sim::time::Unknown>> unknowns() const;
+                                                           sim::time::CornerMode corner);
+    using Unknowns = std::vector<std::pair<std::string, sim::time::Unknown>>;
+    [[nodiscard]] Unknowns unknowns(bool lags) const;
+    [[nodiscard]] sim::time::Fitted fit(const Unknowns& names, sim::time::CornerMode corner);
+    [[nodiscard]] std::vector<sim::time::Measured> measured() const;
+    void compare_runs(Calibration& c, const std::vector<double>& before, const std::vector<double>& fitted);
 
     std::vector<std::shared_ptr<Session>> programs_;
     std::vector<Part> parts_;

@@ -80,6 +80,9 @@ std::string as_text(const Calibration& c, const std::string& machine) {
         out += "\ncorners: " + c.corner +
                (c.corner_is_seen ? ", the others fit clearly worse\n"
                                  : " fits best, the others not clearly worse: it cannot be seen from these runs\n");
+    if (c.lag_is_open)
+        out += c.lags ? "\nstops: that axes lag behind (motion.servo_gain) fits clearly better\n"
+                      : "\nstops: that axes lag behind (motion.servo_gain) cannot be seen from these runs\n";
     for (const auto& [name, shown] : c.exceeded)
         out += "\na trace shows " + rounded(shown) + " mm/min, which is above " + name + " of the machine file\n";
     if (!c.singular.empty()) {
@@ -119,6 +122,7 @@ std::string as_json(const Calibration& c, const std::string& machine) {
                                  {"sight", word(v.sight)}});
     out["corner"] = c.corner.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(c.corner);
     out["corner_is_seen"] = c.corner_is_seen;
+    out["lags"] = c.lag_is_open ? nlohmann::ordered_json(c.lags) : nlohmann::ordered_json(nullptr);
     out["singular_values"] = c.singular;
     return out.dump(2) + "\n";
 }

@@ -21,7 +21,9 @@ using Row = std::vector<Cell>;
 class Table {
 public:
     Table(std::uint32_t file, const base::Sources& sources) : file_(file), text_(sources[file].text) {
-        const std::string_view head = text_.substr(0, text_.find('\n'));
+        // The first line that is no remark names the columns.
+        while (at_ < text_.size() && text_[at_] == '#') at_ = std::min(text_.find('\n', at_), text_.size() - 1) + 1;
+        const std::string_view head = text_.substr(at_, text_.find('\n', at_) - at_);
         separator_ = head.find(';') != std::string_view::npos ? ';' : ',';
     }
     [[nodiscard]] bool has_decimal_commas() const { return separator_ == ';'; }

@@ -11,7 +11,7 @@ using sim::time::ToleranceUse;
 namespace {
 
 constexpr double most_errors = 0.95;     ///< of the chord errors: what lies above are single places
-constexpr std::uint64_t few_places = 20;  ///< say nothing of how a program was made
+constexpr std::uint64_t few_places = 100;  ///< say nothing of how a program was made
 
 bool is_below_chords(const ToleranceUse& t) { return t.places >= few_places && t.coarse * 20 > t.places; }
 
