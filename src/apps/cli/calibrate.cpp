@@ -38,7 +38,8 @@ int write_test_program(const Arguments& arguments) {
     const driver::Settled settled = driver::translate(s, *post, a.request, {name, false}, {});
     print_diagnostics(s, base::Severity::warning);
     if (settled.translated.ledger.has_lost() || settled.proved.differs) {
-        std::fputs("obrys calibrate: by this post the program would not be what it is to be: nothing is written\n", stderr);
+        std::fputs("obrys calibrate: by this post the program would not be what it is to be: nothing is written\n",
+                   stderr);
         return 1;
     }
     return may_write(a, s) && deliver(a.output, *settled.translated.text) ? 0 : 2;
@@ -104,9 +105,10 @@ int fit_machine(const Arguments& a) {
 int calibrate(const Arguments& a) {
     if (a.test_program) return write_test_program(a);
     if (a.inputs.size() == 2) return fit_machine(a);
-    std::fputs("obrys calibrate: needs a machine file and a table of runs (.csv), or --program\n"
-               "  how it is called: obrys help calibrate\n",
-               stderr);
+    std::fputs(
+        "obrys calibrate: needs a machine file and a table of runs (.csv), or --program\n"
+        "  how it is called: obrys help calibrate\n",
+        stderr);
     return 2;
 }
 

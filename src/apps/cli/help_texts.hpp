@@ -127,7 +127,8 @@ inline constexpr const char* time_help =
 inline constexpr const char* calibrate_help =
     "Fits the values of a machine file that decide times to recorded runs, says what the runs show and what they do "
     "not,\n"
-    "and writes the file with what they show. The table (.csv) has the columns program and seconds, and where a line is\n"
+    "and writes the file with what they show. The table (.csv) has the columns program and seconds, and where a line "
+    "is\n"
     "for a part of the program tool, or first and last (lines); trace names a file t,x,y,z of places over time.\n"
     "--program writes a program whose times show much, for any control.\n\n"
     "Examples:\n"

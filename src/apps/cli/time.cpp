@@ -109,8 +109,8 @@ int time(const Arguments& a) {
         for (const double mm : advised) timings.push_back({as_it_is, {1, 0, mm}});
     std::vector<driver::Timed> timed = driver::time_program(s, timings);
     int code = driver::exit_code_of_run(s);
-    report::time::Subject subject{s.program,       s.control, s.job.machine.name, driver::not_whole(code), {},
-                                  as_it_is.values, {},        {}};
+    report::time::Subject subject{
+        s.program, s.control, s.job.machine.name, driver::not_whole(code), {}, as_it_is.values, {}, {}};
     for (std::size_t i = 0; i < variants.size(); ++i)
         subject.variants.push_back({variants[i].name, std::move(timed[i].times)});
     subject.tolerances = timed.front().tolerances;

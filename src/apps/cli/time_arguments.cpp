@@ -38,9 +38,10 @@ CLI::App* add_calibrate(CLI::App& app, Arguments& a) {
     // The machine is the one that is fitted.
     calibrate->remove_option(calibrate->get_option("--machine"));
     calibrate->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
-    auto* program = calibrate->add_flag("--program", a.test_program,
-                                        "write a program whose times show how a machine moves: rapids, zigzags, circles");
-    const std::string posts = "of the program: control or post: " + shop::joined(write::shipped_post_names()) + ", or a file";
+    auto* program = calibrate->add_flag(
+        "--program", a.test_program, "write a program whose times show how a machine moves: rapids, zigzags, circles");
+    const std::string posts =
+        "of the program: control or post: " + shop::joined(write::shipped_post_names()) + ", or a file";
     calibrate->add_option("--to", a.to, posts)->needs(program)->type_name("NAME|FILE");
     calibrate->add_option("--size", a.size, "of the program: how far it goes, mm (100)")
         ->needs(program)

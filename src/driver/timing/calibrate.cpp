@@ -129,10 +129,10 @@ Recorded::Unknowns Recorded::unknowns(bool lags) const {
     for (const times::Value& v : d.values) {
         if (v.name.starts_with("axis.") && v.name.ends_with(".rapid") && v.name.size() == 12)
             rapids = std::max(rapids, spread_of(v));
-        const bool fitted = v.name == "motion.acceleration" || v.name == "motion.jerk" || v.name == "tool_change_time" ||
-                            v.name == "motion.spindle_time" || v.name == "motion.strobe_time" ||
-                            v.name == "motion.block_time" || v.name == "motion.tolerance" ||
-                            v.name == "motion.servo_gain";
+        const bool fitted = v.name == "motion.acceleration" || v.name == "motion.jerk" ||
+                            v.name == "tool_change_time" || v.name == "motion.spindle_time" ||
+                            v.name == "motion.strobe_time" || v.name == "motion.block_time" ||
+                            v.name == "motion.tolerance" || v.name == "motion.servo_gain";
         if (!fitted || std::isnan(v.value)) continue;
         constexpr double usual_gain = 1000.0 / 60;  // 1 m/min/mm
         const double value = v.value == 0 && v.name == "motion.servo_gain" && lags ? usual_gain : v.value;
@@ -189,8 +189,7 @@ Calibration Recorded::calibrate() {
     const bool corner_is_open = is_assumed("motion.corner");
     c.lag_is_open = as_it_is.servo_gain == 0 && is_assumed("motion.servo_gain");
     std::vector<times::CornerMode> modes{as_it_is.corner};
-    if (corner_is_open)
-        modes = {times::CornerMode::filter, times::CornerMode::blend, times::CornerMode::exact_stop};
+    if (corner_is_open) modes = {times::CornerMode::filter, times::CornerMode::blend, times::CornerMode::exact_stop};
     const std::vector<double> before = seconds({{}}, as_it_is.corner).front();
     constexpr double clearly = 4;  // two standard deviations
     times::Fitted best;
@@ -215,8 +214,8 @@ Calibration Recorded::calibrate() {
     c.singular = best.singular;
     compare_runs(c, before, best.predicted);
     for (std::size_t i = 0; i < names.size(); ++i)
-        c.values.push_back({names[i].first, names[i].second.value, best.values[i].value, best.values[i].spread,
-                            best.values[i].sight});
+        c.values.push_back(
+            {names[i].first, names[i].second.value, best.values[i].value, best.values[i].spread, best.values[i].sight});
     for (const FittedRun& run : c.runs)
         for (std::size_t i = 0; run.trace && i < 3; ++i)
             if (const double shown = run.trace->speed[i] * 60; shown > as_it_is.axes[i].speed * 60 * 1.01)

@@ -31,11 +31,11 @@ struct Calibration {
     std::vector<FittedRun> runs;
     std::vector<FittedValue> values;
     std::vector<double> singular;
-    std::string corner;            ///< how corners are passed, where the machine file does not say it; empty: it does
-    bool corner_is_seen = false;   ///< the other ways fit clearly worse
-    bool lag_is_open = false;      ///< the machine file does not say whether axes lag at stops
-    bool lags = false;             ///< that they do fits clearly better
-    double residual_before = 0, residual_after = 0;  ///< root of the mean square, of the measured seconds
+    std::string corner;           ///< how corners are passed, where the machine file does not say it; empty: it does
+    bool corner_is_seen = false;  ///< the other ways fit clearly worse
+    bool lag_is_open = false;     ///< the machine file does not say whether axes lag at stops
+    bool lags = false;            ///< that they do fits clearly better
+    double residual_before = 0, residual_after = 0;        ///< root of the mean square, of the measured seconds
     std::vector<std::pair<std::string, double>> exceeded;  ///< by a trace: "axis.X.rapid" and what it shows
 };
 

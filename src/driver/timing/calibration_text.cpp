@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "base/number.hpp"
 
@@ -18,7 +18,8 @@ std::string rounded(double v) {
     if (v == 0) return "0";
     const int digits = 2 - static_cast<int>(std::floor(std::log10(std::abs(v))));
     const double power = std::pow(10.0, digits);
-    return base::shortest(digits > 0 ? std::round(v * power) / power : std::round(v / std::pow(10.0, -digits)) * std::pow(10.0, -digits));
+    return base::shortest(digits > 0 ? std::round(v * power) / power
+                                     : std::round(v / std::pow(10.0, -digits)) * std::pow(10.0, -digits));
 }
 
 std::string seconds(double s) { return base::fixed(s, s < 100 ? 2 : 1) + " s"; }
@@ -67,8 +68,11 @@ std::string as_text(const Calibration& c, const std::string& machine) {
     std::string out = machine + ", " + std::to_string(c.runs.size()) + (c.runs.size() == 1 ? " run\n\n" : " runs\n\n");
     out += padded("measured", 12) + padded("as it is", 22) + padded("calibrated", 22) + "run\n";
     for (const FittedRun& r : c.runs) {
-        const auto model = [&](double s) { return seconds(s) + " (" + (s >= r.measured ? "+" : "") + percent(s / r.measured - 1) + ")"; };
-        out += padded(seconds(r.measured), 12) + padded(model(r.before), 22) + padded(model(r.after), 22) + part_of(r.run) + "\n";
+        const auto model = [&](double s) {
+            return seconds(s) + " (" + (s >= r.measured ? "+" : "") + percent(s / r.measured - 1) + ")";
+        };
+        out += padded(seconds(r.measured), 12) + padded(model(r.before), 22) + padded(model(r.after), 22) +
+               part_of(r.run) + "\n";
         if (!r.not_whole.empty()) out += "            not fully timed: " + r.not_whole + "\n";
     }
     out += "residuals (root of the mean square): " + percent(c.residual_before) + " as it is, " +

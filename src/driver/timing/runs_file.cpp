@@ -46,7 +46,8 @@ private:
             const std::size_t end = std::min(line.find(separator_, at), line.size());
             const std::string_view raw = line.substr(at, end - at);
             std::string_view plain = base::trim(raw);
-            const std::size_t from = begin + at + static_cast<std::size_t>(plain.empty() ? 0 : plain.data() - raw.data());
+            const std::size_t from =
+                begin + at + static_cast<std::size_t>(plain.empty() ? 0 : plain.data() - raw.data());
             const auto place = static_cast<std::uint32_t>(from);
             const base::Span where{file_, place, place + static_cast<std::uint32_t>(plain.size())};
             if (plain.size() >= 2 && plain.front() == '"' && plain.back() == '"')
@@ -149,8 +150,8 @@ bool take_numbers(Reader& reader, const Row& row, Run& run) {
     } else if (run.trace.empty()) {
         return reader.fail(run.where, "a run without 'seconds', and without a 'trace' that would say them");
     }
-    for (const auto& [name, to] : {std::pair{"tool", &run.tool}, std::pair{"first", &run.first},
-                                   std::pair{"last", &run.last}})
+    for (const auto& [name, to] :
+         {std::pair{"tool", &run.tool}, std::pair{"first", &run.first}, std::pair{"last", &run.last}})
         if (const Cell* c = reader.cell(row, name); c != nullptr && !(*to = reader.whole(*c, name))) return false;
     if (run.first && run.last && *run.first > *run.last)
         return reader.fail(reader.cell(row, "last")->where, "'last' lies before 'first'");
@@ -204,13 +205,14 @@ std::optional<Trace> read_trace(std::uint32_t file, const base::Sources& sources
         if (trace.samples == 0) first = now.t;
         if (trace.samples > 0 && !(now.t > last.t))
             return reader.fail(row->front().where, "times must grow from line to line"), std::nullopt;
-        for (std::size_t i = 0; i < 3 && trace.samples > 0; ++i) now.speed[i] = (now.at[i] - last.at[i]) / (now.t - last.t);
+        for (std::size_t i = 0; i < 3 && trace.samples > 0; ++i)
+            now.speed[i] = (now.at[i] - last.at[i]) / (now.t - last.t);
         for (std::size_t i = 0; i < 3 && trace.samples > 1; ++i) {
             // Two in turn, so that one sample that comes late makes no speed that was never gone.
             trace.speed[i] = std::max(trace.speed[i], std::min(std::abs(now.speed[i]), std::abs(last.speed[i])));
             if (trace.samples > 2)
-                trace.acceleration[i] = std::max(
-                    trace.acceleration[i], std::abs(now.speed[i] - before.speed[i]) / (now.t - before.t));
+                trace.acceleration[i] =
+                    std::max(trace.acceleration[i], std::abs(now.speed[i] - before.speed[i]) / (now.t - before.t));
         }
         before = last;
         last = now;

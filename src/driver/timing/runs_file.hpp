@@ -14,10 +14,10 @@ namespace obrys::driver {
 /// A line of the table. Columns: program, seconds, and of what part of the program: tool; first, last (lines); trace.
 struct Run {
     std::string program;
-    double seconds = 0;                       ///< 0: the trace says them
-    std::optional<std::uint32_t> tool;        ///< with this tool alone
+    double seconds = 0;                        ///< 0: the trace says them
+    std::optional<std::uint32_t> tool;         ///< with this tool alone
     std::optional<std::uint32_t> first, last;  ///< of these lines of the program alone, both counted
-    std::string trace;                        ///< a file; empty: none
+    std::string trace;                         ///< a file; empty: none
     base::Span where, where_trace;
 };
 /// Separated by commas, or by semicolons (then numbers may have decimal commas). Nothing after a complaint.

@@ -13,8 +13,10 @@ std::string test_program(double size, double feed) {
     // Each part ends in an optional stop: with it on, the parts can be timed one by one (columns first and last).
     constexpr int rapids = 10, zigzags = 100, circles = 5;
     constexpr double step = 1, wide = 2;  // mm of a zigzag: short enough that corners decide
-    std::string out = "(times for obrys calibrate, needs " + n(size) + " mm above and beside the zero)\nG21 G17 G90 G94 G40\nT1 M6\n"
-                      "G0 X0 Y0 Z" + n(size / 2) + "\nM1\n";
+    std::string out = "(times for obrys calibrate, needs " + n(size) +
+                      " mm above and beside the zero)\nG21 G17 G90 G94 G40\nT1 M6\n"
+                      "G0 X0 Y0 Z" +
+                      n(size / 2) + "\nM1\n";
     for (const double length : {size / 10, size / 2.5, size}) {
         out += "(rapids of " + n(length) + " mm, " + std::to_string(rapids) + " in X, Y and Z)\n";
         for (int i = 0; i < rapids / 2; ++i) out += "G0 X" + n(length) + "\nG0 X0\n";

@@ -47,7 +47,8 @@ struct Axes {
         for (double v = 0, s = step_for(most_y); v <= most_y * (1 + 1e-9); v += s)
             out += "<path class=\"grid\" d=\"M" + at(plot_left) + " " + at(y(v)) + "h" + at(plot_width) + "\"/>\n" +
                    text_at(plot_left - 6, y(v) + 4, "end", base::shortest(v));
-        return out + text_at(plot_left + plot_width, y0 + plot_height + 30, "end", x_title) + text_at(plot_left - 70, y0 - 8, "start", y_title);
+        return out + text_at(plot_left + plot_width, y0 + plot_height + 30, "end", x_title) +
+               text_at(plot_left - 70, y0 - 8, "start", y_title);
     }
 };
 
@@ -87,9 +88,10 @@ std::string marks(const Subject& s, const SpeedCurve& curve, const base::Sources
         const std::string number = std::to_string(i + 1);
         const auto found = std::find(of.begin(), of.end(), std::pair(l.file, l.line));
         if (found != of.end())
-            out += "<g class=\"mark\">" +
-                   text_at(axes.x(curve.step() * static_cast<double>(found - of.begin())), axes.y0 - 4, "start", number) +
-                   "</g>\n";
+            out +=
+                "<g class=\"mark\">" +
+                text_at(axes.x(curve.step() * static_cast<double>(found - of.begin())), axes.y0 - 4, "start", number) +
+                "</g>\n";
         out += text_at(plot_left, y + line_height * static_cast<double>(i + 1), "start",
                        number + "   " + seconds(l.all) + "   " + std::string(name_of(largest(l.seconds))) + "   " +
                            sources[l.file].name + ":" + std::to_string(l.line) + ": " +
@@ -108,11 +110,13 @@ std::string as_svg(const Subject& s, const SpeedCurve& curve, const base::Source
         lower{upper.y0 + plot_height + plot_gap, std::max(way, 1e-3), all};
     const double below = lower.y0 + plot_height + plot_gap;
     const double bottom = below + line_height * static_cast<double>(named + 1);
-    std::string out = "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1020 " + at(bottom) +
-                      "\" font-family=\"sans-serif\" font-size=\"12\">\n<style>.grid{stroke:#ddd;fill:none}"
-                      ".speed{fill:#2a7a3a;stroke:#2a7a3a;stroke-width:0.5}.line{fill:none;stroke:#1f5fa8;stroke-width:1.5}"
-                      ".mark{fill:#b00020;font-weight:bold}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
-    out += text_at(plot_left, 24, "start", s.name + " (" + s.control + ") on " + s.machine + ": estimated " + clock(all));
+    std::string out =
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 1020 " + at(bottom) +
+        "\" font-family=\"sans-serif\" font-size=\"12\">\n<style>.grid{stroke:#ddd;fill:none}"
+        ".speed{fill:#2a7a3a;stroke:#2a7a3a;stroke-width:0.5}.line{fill:none;stroke:#1f5fa8;stroke-width:1.5}"
+        ".mark{fill:#b00020;font-weight:bold}</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
+    out +=
+        text_at(plot_left, 24, "start", s.name + " (" + s.control + ") on " + s.machine + ": estimated " + clock(all));
     out += upper.drawn("s →", "↑ mm/min") + speeds(curve, upper);
     out += lower.drawn("mm →", "↑ s") + times(curve, lower);
     return out + marks(s, curve, sources, upper, below) + "</svg>\n";

@@ -107,9 +107,7 @@ std::string percent(double part, double all) { return base::fixed(all > 0 ? 100 
 
 std::string_view name_of(Cause c) { return sim::time::cause_names[static_cast<std::size_t>(c)]; }
 
-Cause largest(const Seconds& s) {
-    return static_cast<Cause>(std::max_element(s.begin(), s.end()) - s.begin());
-}
+Cause largest(const Seconds& s) { return static_cast<Cause>(std::max_element(s.begin(), s.end()) - s.begin()); }
 
 std::vector<Line> slow_lines(const Times& t, const base::Sources& sources, std::size_t most) {
     std::vector<Line> lines;

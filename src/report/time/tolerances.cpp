@@ -10,7 +10,7 @@ using sim::time::ToleranceUse;
 
 namespace {
 
-constexpr double most_errors = 0.95;     ///< of the chord errors: what lies above are single places
+constexpr double most_errors = 0.95;       ///< of the chord errors: what lies above are single places
 constexpr std::uint64_t few_places = 100;  ///< say nothing of how a program was made
 
 bool is_below_chords(const ToleranceUse& t) { return t.places >= few_places && t.coarse * 20 > t.places; }
@@ -24,8 +24,8 @@ std::string place_of(const ToleranceUse& t, const base::Sources& sources) {
 void put_use(std::string& out, const ToleranceUse& t, const base::Sources& sources) {
     if (t.places < few_places) return;
     out += "  " + mm(t.tolerance) + (t.by_program ? " (in force from " : " (the machine's, from ") +
-           place_of(t, sources) + "): chord errors of the program's lines up to " + mm(t.error_of(most_errors)) + " at " +
-           std::to_string(t.places) + " places";
+           place_of(t, sources) + "): chord errors of the program's lines up to " + mm(t.error_of(most_errors)) +
+           " at " + std::to_string(t.places) + " places";
     if (is_below_chords(t))
         out += "; " + std::to_string(t.coarse) + " of them are above it and are braked for as corners. " +
                mm(1.1 * t.error_of(most_errors)) + " to " + mm(2 * t.error_of(most_errors)) +
@@ -45,7 +45,8 @@ void put_tolerances(std::string& out, const Subject& s, const base::Sources& sou
     for (const Advised& a : s.advised) {
         const double less = as_it_is - a.seconds;
         out += "  with " + mm(a.tolerance) + " throughout: " + seconds(a.seconds) + ", " + seconds(std::abs(less)) +
-               (less >= 0 ? " less" : " more") + "; corners and curves up to " + mm(a.tolerance) + " beside the contour\n";
+               (less >= 0 ? " less" : " more") + "; corners and curves up to " + mm(a.tolerance) +
+               " beside the contour\n";
     }
 }
 

@@ -91,7 +91,8 @@ private:
         if (found == machine_.axes.end()) return limits;
         const std::string key = "axis." + name + ".";
         say(key + "rapid", found->rapid, found->rotary ? "degrees/min" : "mm/min");
-        if (found->acceleration) say(key + "acceleration", *found->acceleration, found->rotary ? "degrees/s2" : "mm/s2");
+        if (found->acceleration)
+            say(key + "acceleration", *found->acceleration, found->rotary ? "degrees/s2" : "mm/s2");
         if (found->jerk) say(key + "jerk", *found->jerk, found->rotary ? "degrees/s3" : "mm/s3");
         limits.speed = found->rapid / 60;
         // An axis that says nothing of its own goes as the path does; a rotary one as many degrees as the path mm.

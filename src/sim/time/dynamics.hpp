@@ -53,7 +53,6 @@ struct Dynamics {
 /// is in its window. Source: shared spec physics.md (a) 6.
 [[nodiscard]] double settling_time(double speed, double gain, double window);
 
-
 /// What the axes allow along a direction.
 struct WayLimits {
     double speed = 0;

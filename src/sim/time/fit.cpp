@@ -39,9 +39,8 @@ public:
             look();
             if (out_.rounds == 1) out_.before = predicted_;
             const std::vector<double> step = newton();
-            const double most = *std::max_element(step.begin(), step.end(), [](double a, double b) {
-                return std::abs(a) < std::abs(b);
-            });
+            const double most = *std::max_element(step.begin(), step.end(),
+                                                  [](double a, double b) { return std::abs(a) < std::abs(b); });
             if (std::abs(most) < done || !go(step)) break;
         }
         look();
@@ -135,8 +134,10 @@ private:
         const std::vector<double> v = values(now_);
         for (std::size_t i = 0; i < now_.size(); ++i) {
             const double spread = std::sqrt(std::max(0.0, inv[i][i])), left = spread / unknowns_[i].spread;
-            out_.values.push_back(
-                {v[i], spread, left < well ? Sight::seen : left < at_all ? Sight::with_others : Sight::not_seen});
+            out_.values.push_back({v[i], spread,
+                                   left < well     ? Sight::seen
+                                   : left < at_all ? Sight::with_others
+                                                   : Sight::not_seen});
         }
         Matrix told = zeros(now_.size());
         for (std::size_t i = 0; i < now_.size(); ++i)

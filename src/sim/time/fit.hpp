@@ -27,9 +27,9 @@ struct Fitted {
         Sight sight = Sight::not_seen;
     };
     std::vector<One> values;
-    std::vector<double> predicted;      ///< by the fitted values
-    std::vector<double> before;         ///< by those known before
-    std::vector<double> singular;       ///< of what the measurements tell, the largest first, relative to it
+    std::vector<double> predicted;  ///< by the fitted values
+    std::vector<double> before;     ///< by those known before
+    std::vector<double> singular;   ///< of what the measurements tell, the largest first, relative to it
     int rounds = 0;
     double misfit = 0;  ///< sum of squares, in spreads; of known values too
 };

@@ -31,7 +31,7 @@ private:
     Place place_{UINT32_MAX, 0};  ///< that is spent for
     Seconds now_{};
     std::vector<Spent> spent_;
-    std::size_t merged_ = 0;        ///< so many at the begin are in their order
+    std::size_t merged_ = 0;  ///< so many at the begin are in their order
     std::size_t next_merge_ = 65'536;
     Place dropped_{};  ///< the last of those that were dropped
     bool any_dropped_ = false, short_ = false;

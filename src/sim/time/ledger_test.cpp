@@ -80,7 +80,8 @@ TEST(ToleranceUse, chord_errors_lie_below_what_is_said_of_them) {
     const double said = use.error_of(0.95), true_one = errors[static_cast<std::size_t>(0.95 * 5000)];
     EXPECT_GE(said, true_one * 0.99);
     EXPECT_LE(said, true_one * 1.45);
-    EXPECT_EQ(use.coarse, static_cast<std::uint64_t>(std::count_if(errors.begin(), errors.end(), [](double e) { return e > 0.005; })));
+    EXPECT_EQ(use.coarse, static_cast<std::uint64_t>(
+                              std::count_if(errors.begin(), errors.end(), [](double e) { return e > 0.005; })));
 }
 
 }  // namespace

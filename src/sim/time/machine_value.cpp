@@ -56,7 +56,8 @@ bool set_value(Dynamics& d, std::string_view name, double value) {
     if (value == 0 && !may_be_nothing) return false;
     if (name == "motion.servo_gain" && !(d.window > 0)) d.window = 0.01;
     if (double* number = number_of(d, name)) return *number = value, true;
-    if (name == "motion.acceleration") return set_path(d, value, &Limits::acceleration, &AxisLimits::acceleration), true;
+    if (name == "motion.acceleration")
+        return set_path(d, value, &Limits::acceleration, &AxisLimits::acceleration), true;
     if (name == "motion.jerk") return set_path(d, value, &Limits::jerk, &AxisLimits::jerk), true;
     if (name == "max_feed") return d.most_feed = value / 60, true;
     const OfAxis of = axis_value(d, name);

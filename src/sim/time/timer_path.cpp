@@ -52,9 +52,9 @@ void Timer::add(const motion::Step& step, double length, const geom::Vec3& from,
     piece.place = {step.record.from.file, step.record.from.begin};
     piece.tool = step.state.change.number;
     piece.asked = piece.most = step.rapid ? Cause::rapid : Cause::feed;
-    piece.fed = step.rapid ? own.speed
-                           : dynamics_.feed_override * length /
-                                 motion::feed_seconds(step, length, dynamics_.highest_speed);
+    piece.fed = step.rapid
+                    ? own.speed
+                    : dynamics_.feed_override * length / motion::feed_seconds(step, length, dynamics_.highest_speed);
     if (!(piece.fed > 0)) return untimed(step);
     // The spindle of a rigid tap starts and stands with the axis.
     if (const auto* thread = std::get_if<cl::Thread>(&step.record.step);
@@ -88,7 +88,8 @@ double Timer::tolerance_at(const motion::Step& step) const {
     return options_.contour_tolerance.value_or(said > 0 ? said : dynamics_.tolerance);
 }
 
-/// Turns are exact stops: the program asks for it, or the machine makes them so unless the program asks for a tolerance.
+/// Turns are exact stops: the program asks for it, or the machine makes them so unless the program asks for a
+/// tolerance.
 bool Timer::is_exact(const motion::Step& step) const {
     const cl::PathMode* path = step.state.path ? &*step.state.path : nullptr;
     if (path != nullptr && (path->kind == cl::PathKind::exact || path->kind == cl::PathKind::exact_stop)) return true;

@@ -28,8 +28,8 @@ enum class Cause : std::uint8_t {
 };
 inline constexpr std::size_t causes = 13;
 inline constexpr std::array<std::string_view, causes> cause_names{
-    "feed",       "rapid",      "axis-speed", "acceleration", "corner",  "curvature",
-    "block-rate", "look-ahead", "exact-stop", "dwell",        "spindle", "tool-change", "m-function"};
+    "feed",       "rapid",      "axis-speed", "acceleration", "corner",      "curvature", "block-rate",
+    "look-ahead", "exact-stop", "dwell",      "spindle",      "tool-change", "m-function"};
 
 using Seconds = std::array<double, causes>;
 [[nodiscard]] double sum(const Seconds& s);
@@ -62,7 +62,7 @@ struct Times {
     std::uint64_t stops = 0;           ///< of the program, for as long as its operator likes
     std::uint64_t probings = 0;        ///< moves that end where a probe touches: timed to their end at the latest
     double way = 0;                    ///< mm
-    double may_settle = 0;  ///< s that exact stops would take if axes lag, of a machine that is assumed not to
+    double may_settle = 0;      ///< s that exact stops would take if axes lag, of a machine that is assumed not to
     bool places_short = false;  ///< of `places`, not all passes of one may have been kept
 
     /// Nothing but what any program leaves open: the way to its first place, a speed by a radius that is not known yet.

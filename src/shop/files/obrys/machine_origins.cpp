@@ -54,9 +54,8 @@ void read_origins(Section& file, Machine& machine) {
     Section s(e->value, "[origin]", file.diagnostics());
     const std::vector<std::string> names = timed_values(machine);
     for (const Entry& origin : e->value.entries) {
-        const auto name = std::find_if(names.begin(), names.end(), [&](const std::string& n) {
-            return base::equals_ignoring_case(n, origin.key);
-        });
+        const auto name = std::find_if(names.begin(), names.end(),
+                                       [&](const std::string& n) { return base::equals_ignoring_case(n, origin.key); });
         if (name == names.end()) {
             const std::string near = nearest(origin.key, names);
             s.error(base::codes::job_file, origin.where,
