@@ -200,7 +200,11 @@ private:
 
     bool lean_at(std::uint32_t i) {
         Node &b = nodes_[i], &a = nodes_[b.before], &c = nodes_[b.next];
-        const bool up = a.speed < b.speed && b.speed<c.speed, down = a.speed> b.speed && b.speed > c.speed;
+        // The speed goes on to rise behind a place that is come to by a rise, also where the next one is slower again.
+        const double through = b.speed * (1 + speed_noise);
+        const bool rises = a.span.peak <= through && b.span.peak > through,
+                   falls = a.span.peak > through && b.span.peak <= through;
+        const bool up = a.speed < b.speed && rises, down = b.speed > c.speed && falls;
         if (!up && !down) return false;
         const Limits left = limits(b.before, i), right = limits(i, b.next);
         const double most = std::min(left.acceleration, right.acceleration);
