@@ -41,8 +41,8 @@ name = "Z"
 rapid = 30480
 """
 MILLING = 6  # tools; the others drill
-AT_WORK = {1: 0.05, 2: 0.15, 3: 0.05, 4: 0.20, 5: 0.05, 6: 0.05}  # how near each is; by docs/time.md
-HALF, WHOLE = 0.12, 0.06
+AT_WORK = {1: 0.05, 2: 0.12, 3: 0.05, 4: 0.12, 5: 0.05, 6: 0.05}  # what docs/time.md says, and a little
+HALF, WHOLE = 0.07, 0.04
 
 
 def slowed(program):

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <tuple>
 
 #include "base/number.hpp"
@@ -19,8 +18,6 @@ using sim::time::sum;
 using sim::time::Times;
 
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
 
 std::string padded(std::string text, std::size_t width, bool right = false) {
     if (text.size() >= width) return text;
@@ -153,66 +150,6 @@ std::string as_text(const Subject& s, const base::Sources& sources, const Option
     put_tolerances(out, s, sources);
     put_assumed(out, s.values);
     return out;
-}
-
-namespace {
-
-OrderedJson causes_json(const Seconds& s) {
-    OrderedJson out = OrderedJson::object();
-    for (std::size_t i = 0; i < s.size(); ++i)
-        if (s[i] != 0) out[std::string(sim::time::cause_names[i])] = s[i];
-    return out;
-}
-
-}  // namespace
-
-std::string as_json(const Subject& s, const base::Sources& sources) {
-    const Times& t = s.variants.front().times;
-    const Range range = range_of(t, s.values);
-    OrderedJson out{
-        {"format", "obrys-time"}, {"version", 1}, {"program", s.name}, {"control", s.control}, {"machine", s.machine}};
-    out["total_s"] = sum(t.all);
-    out["range_s"] = {range.low, range.high};
-    out["complete"] = s.not_whole.empty() && t.is_whole();
-    out["not_whole"] = s.not_whole.empty() ? OrderedJson(nullptr) : OrderedJson(s.not_whole);
-    out["moves"] = t.moves;
-    out["path_mm"] = t.way;
-    out["unplaced_moves"] = t.from_nowhere;
-    out["untimed_moves"] = t.untimed;
-    out["untimed_dwells"] = t.untimed_dwells;
-    out["untimed_speeds"] = t.untimed_speeds;
-    out["stops"] = t.stops;
-    out["causes"] = causes_json(t.all);
-    out["tools"] = OrderedJson::array();
-    for (const auto& [number, spent] : t.tools)
-        out["tools"].push_back({{"number", number == cl::unknown_tool ? OrderedJson(nullptr) : OrderedJson(number)},
-                                {"seconds", sum(spent)},
-                                {"causes", causes_json(spent)}});
-    out["probing_moves"] = t.probings;
-    out["by_line"] = OrderedJson::array();
-    for (const Line& l : slow_lines(t, sources, t.places.size()))
-        out["by_line"].push_back({{"file", sources[l.file].name},
-                                  {"line", l.line},
-                                  {"seconds", l.all},
-                                  {"cause", name_of(largest(l.seconds))},
-                                  {"causes", causes_json(l.seconds)}});
-    out["assumed"] = OrderedJson::array();
-    out["values"] = OrderedJson::array();
-    for (const sim::time::Value& v : s.values) {
-        OrderedJson value{{"name", v.name},
-                          {"value", std::isnan(v.value) ? OrderedJson(v.unit) : OrderedJson(v.value)},
-                          {"unit", std::isnan(v.value) ? OrderedJson(nullptr) : OrderedJson(v.unit)}};
-        if (v.assumed) out["assumed"].push_back(value);
-        value["origin"] = v.origin;
-        out["values"].push_back(std::move(value));
-    }
-    out["tolerances"] = tolerances_json(s, sources);
-    out["variants"] = OrderedJson::array();
-    for (std::size_t i = 1; i < s.variants.size(); ++i)
-        out["variants"].push_back({{"name", s.variants[i].name},
-                                   {"total_s", sum(s.variants[i].times.all)},
-                                   {"causes", causes_json(s.variants[i].times.all)}});
-    return out.dump(2) + "\n";
 }
 
 }  // namespace obrys::report::time
