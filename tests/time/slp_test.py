@@ -34,7 +34,7 @@ tolerance = {TOLERANCE}
 corner = "filter"
 """ + "".join(f'[[axis]]\nname = "{n}"\nrapid = 60000\n' for n in "XYZ")
 CELLS = 200
-TOO_FAST, TOO_SLOW, USUALLY = -0.01, 0.06, 0.02
+TOO_FAST, TOO_SLOW, USUALLY = -0.01, 0.055, 0.015
 
 
 def polyline(rnd):
