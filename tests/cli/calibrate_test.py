@@ -114,6 +114,16 @@ def main():
             bad = run("calibrate", "shop.toml", "runs.csv", cwd=folder)
             if bad.returncode != 2 or where not in bad.stderr or what not in bad.stderr:
                 faults.append(f"{table!r}: {bad.returncode} {bad.stderr}")
+        # A trace of 200 mm there and back at 30 m/min, every 20 ms: beyond the rapid of the file.
+        samples, way = ["t,x,y,z"], [500 * min(t, 0.4, 0.8 - t) if t < 0.8 else 0 for t in (0.02 * i for i in range(41))]
+        samples += [f"{0.02 * i:.2f},{x:.4f},0,0" for i, x in enumerate(way)]
+        (folder / "trace.csv").write_text("\n".join(samples) + "\n")
+        (folder / "rapid.ngc").write_text("G21 G90\nG0 X0 Y0 Z0\nG0 X200\nG0 X0\nM2\n")
+        (folder / "runs.csv").write_text("program,seconds,trace\nrapid.ngc,,trace.csv\n")
+        told = json.loads(run("calibrate", "shop.toml", "runs.csv", "--format", "json", cwd=folder).stdout)
+        rapid = next(v for v in told["values"] if v["name"] == "axis.rapid")
+        if rapid["sight"] != "seen" or abs(rapid["after"] / 1.5 - 1) > 0.1 or abs(told["runs"][0]["measured_s"] - 0.8) > 1e-6:
+            faults.append(f"the trace shows 30 m/min: {rapid}, {told['runs']}")
         for post in ("fanuc", "heidenhain-itnc530", "heidenhain-iso", "sinumerik-840d", "haas", "linuxcnc"):
             made = run("calibrate", "--program", "--to", post, cwd=folder)
             if made.returncode != 0 or not made.stdout:

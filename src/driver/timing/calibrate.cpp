@@ -122,6 +122,15 @@ std::vector<std::vector<double>> Recorded::seconds(const std::vector<std::vector
     return all;
 }
 
+double Recorded::shown_rapid(const times::Dynamics& d) const {
+    constexpr double clearly = 1.01;
+    double most = 1;
+    for (const Part& p : parts_)
+        for (std::size_t i = 0; p.fitted.trace && i < 3; ++i)
+            most = std::max(most, p.fitted.trace->speed[i] / d.axes[i].speed);
+    return most > clearly ? most : 1;
+}
+
 Recorded::Unknowns Recorded::unknowns(bool lags) const {
     const times::Dynamics d = dynamics_of(*programs_.front());
     Unknowns out;
@@ -138,7 +147,13 @@ Recorded::Unknowns Recorded::unknowns(bool lags) const {
         const double value = v.value == 0 && v.name == "motion.servo_gain" && lags ? usual_gain : v.value;
         if (value > 0) out.emplace_back(v.name, times::Unknown{value, spread_of(v)});
     }
-    if (rapids > 0) out.emplace_back(all_rapids, times::Unknown{1, rapids});
+    // What a trace has shown is known, whatever the file says.
+    constexpr double near_by = 0.05;
+    const double shown = shown_rapid(d);
+    if (shown > 1)
+        out.emplace_back(all_rapids, times::Unknown{shown, near_by});
+    else if (rapids > 0)
+        out.emplace_back(all_rapids, times::Unknown{1, rapids});
     constexpr double knob = 0.05;  // what an operator turns it by without a thought
     out.emplace_back("feed_override", times::Unknown{1, knob});
     return out;
@@ -216,6 +231,9 @@ Calibration Recorded::calibrate() {
     for (std::size_t i = 0; i < names.size(); ++i)
         c.values.push_back(
             {names[i].first, names[i].second.value, best.values[i].value, best.values[i].spread, best.values[i].sight});
+    if (shown_rapid(as_it_is) > 1)
+        for (FittedValue& v : c.values)
+            if (v.name == all_rapids) v.before = 1, v.sight = times::Sight::seen;
     for (const FittedRun& run : c.runs)
         for (std::size_t i = 0; run.trace && i < 3; ++i)
             if (const double shown = run.trace->speed[i] * 60; shown > as_it_is.axes[i].speed * 60 * 1.01)

@@ -62,6 +62,8 @@ private:
                                                            sim::time::CornerMode corner);
     using Unknowns = std::vector<std::pair<std::string, sim::time::Unknown>>;
     [[nodiscard]] Unknowns unknowns(bool lags) const;
+    /// By how much a trace goes beyond the rapids of the machine file; 1: none does.
+    [[nodiscard]] double shown_rapid(const sim::time::Dynamics& d) const;
     [[nodiscard]] sim::time::Fitted fit(const Unknowns& names, sim::time::CornerMode corner);
     [[nodiscard]] std::vector<sim::time::Measured> measured() const;
     void compare_runs(Calibration& c, const std::vector<double>& before, const std::vector<double>& fitted);
