@@ -15,6 +15,7 @@ inline constexpr const char* main_help =
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
     "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
     "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
+    "  obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05    cutting data\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -108,6 +109,21 @@ inline constexpr const char* sheet_help =
     "  obrys sheet part.job.toml -o part.json; obrys sheet part.job.toml --since part.json\n\n"
     "Exit codes: 0 made, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
+
+inline constexpr const char* data_help =
+    "Cutting data: speed, feed, effective diameter, chip thickness, removal, power, torque and roughness from what is\n"
+    "given of them; whatever one is not given follows from the others. With --machine its limits hold, and are said\n"
+    "(docs/cutting-data.md).\n\n"
+    "Examples:\n"
+    "  obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05\n"
+    "  obrys data --kind ball --vc 160 --diameter 10 --ap 0.2 --tilt 15 --teeth 2 --fz 0.05 --ae 0.3\n"
+    "  obrys data --rpm 6000 --vf 432 --teeth 4 --diameter 10 --ap 2.5 --ae 10 --material AlSi12Cu --machine "
+    "fv25cnc-a\n"
+    "  obrys data --kind turning --vc 180 --diameter 60 --fz 0.3 --ap 2 --nose-radius 0.8 --material C45\n"
+    "  obrys data --list\n\n"
+    "Exit codes: 0 solved, 1 what is given contradicts itself, or the machine cannot do it, 2 usage or unreadable "
+    "input,\n"
+    "3 neither speed nor feed follows from what is given.";
 
 inline constexpr const char* time_help =
     "Estimates how long the machine takes for a program: speeds, accelerations and jerk of its axes, corners within "

@@ -16,6 +16,7 @@ struct Commands {
     CLI::App* compare;
     CLI::App* sheet;
     CLI::App* time;
+    CLI::App* data;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;

@@ -1,0 +1,27 @@
+#pragma once
+/// What `obrys data`, `cost`, `blade` and `force` ask for.
+
+#include <string>
+#include <vector>
+
+#include "sim/cutting/data.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace obrys::cli {
+
+struct Arguments;
+
+struct CuttingArguments {
+    sim::cutting::Asked asked;           ///< of data
+    std::string kind = "end-mill";       ///< of data
+    std::string material;                ///< a name; empty: none
+    std::vector<std::string> materials;  ///< files
+    bool list = false;                   ///< of data: the materials
+};
+
+CLI::App* add_data(CLI::App& app, Arguments& a);
+
+}  // namespace obrys::cli

@@ -1,0 +1,41 @@
+#include "report/cutting/rows.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/number.hpp"
+
+namespace obrys::report::cutting {
+
+std::string figure(double value, int digits) {
+    if (!std::isfinite(value)) return "?";
+    if (value == 0) return "0";
+    const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    std::string text = base::fixed(value, std::clamp(digits - before, 0, 9));
+    if (text.find('.') == std::string::npos) return text;
+    while (text.back() == '0') text.pop_back();
+    if (text.back() == '.') text.pop_back();
+    return text;
+}
+
+std::string padded(std::string text, std::size_t width, bool right) {
+    std::size_t shown = 0;  // a letter of several bytes is one on paper
+    for (const char c : text) shown += (static_cast<unsigned char>(c) & 0xC0U) == 0x80U ? 0 : 1;
+    if (shown >= width) return text;
+    const std::string blanks(width - shown, ' ');
+    return right ? blanks + text : text + blanks;
+}
+
+std::string row(const std::string& name, const std::string& value, const std::string& unit, const std::string& remark) {
+    constexpr std::size_t names = 24, values = 12, units = 10;
+    std::string line = "  " + padded(name, names) + padded(value, values, true) + " " + padded(unit, units) + remark;
+    line.erase(line.find_last_not_of(' ') + 1);
+    return line + "\n";
+}
+
+nlohmann::ordered_json number(double value) {
+    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+}
+
+}  // namespace obrys::report::cutting
