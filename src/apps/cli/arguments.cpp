@@ -70,6 +70,8 @@ Arguments parse(int argc, char** argv) {
                 : c.sheet->parsed()     ? Command::sheet
                 : c.time->parsed()      ? Command::time
                 : c.data->parsed()      ? Command::data
+                : c.cost->parsed()      ? Command::cost
+                : c.blade->parsed()     ? Command::blade
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

@@ -14,7 +14,22 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, data, post, version };
+enum class Command : int {
+    none,
+    check,
+    run,
+    plot,
+    fmt,
+    translate,
+    compare,
+    sheet,
+    time,
+    data,
+    cost,
+    blade,
+    post,
+    version
+};
 
 struct Arguments {
     Command command = Command::none;

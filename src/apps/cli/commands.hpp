@@ -12,6 +12,8 @@ namespace obrys::cli {
 [[nodiscard]] int post(const Arguments& arguments);
 [[nodiscard]] int sheet(const Arguments& arguments);
 [[nodiscard]] int time(const Arguments& arguments);
+[[nodiscard]] int blade(const Arguments& arguments);
+[[nodiscard]] int cost(const Arguments& arguments);
 [[nodiscard]] int data(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);

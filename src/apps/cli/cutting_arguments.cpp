@@ -50,14 +50,24 @@ void add_output(CLI::App& app, Arguments& a) {
     app.add_flag("--force", a.request.force, "replace files that are there (never the inputs)");
 }
 
-void add_material(CLI::App& app, Arguments& a) {
-    app.add_option("--material", a.cutting.material,
-                   "of the workpiece: a name, an alloy or a number that obrys data --list prints")
-        ->type_name("NAME");
+void add_machine(CLI::App& app, Arguments& a) {
+    app.add_option("--machine", a.request.machine,
+                   "shipped machine (" + shop::joined(shop::shipped_machine_names()) + ") or machine file")
+        ->type_name("NAME|FILE");
+}
+
+void add_materials(CLI::App& app, Arguments& a) {
     app.add_option("--materials", a.cutting.materials, "file with materials of one's own (docs/cutting-data.md)")
         ->type_name("FILE")
         ->allow_extra_args(false)
         ->take_all();
+}
+
+void add_material(CLI::App& app, Arguments& a) {
+    app.add_option("--material", a.cutting.material,
+                   "of the workpiece: a name, an alloy or a number that obrys data --list prints")
+        ->type_name("NAME");
+    add_materials(app, a);
 }
 
 }  // namespace
@@ -98,11 +108,28 @@ CLI::App* add_data(CLI::App& app, Arguments& a) {
     add_number(*data, "--nose-radius", s.nose_radius, "MM", "turning: of the insert");
     add_material(*data, a);
     data->add_flag("--list", a.cutting.list, "print the materials that can be named, and nothing else");
-    data->add_option("--machine", a.request.machine,
-                     "shipped machine (" + shop::joined(shop::shipped_machine_names()) + ") or machine file")
-        ->type_name("NAME|FILE");
+    add_machine(*data, a);
     add_output(*data, a);
     return data;
+}
+
+CLI::App* add_blade(CLI::App& app, Arguments& a) {
+    CLI::App* blade = app.add_subcommand("blade", blade_help);
+    blade->add_option("input", a.request.input, "a blade (.toml), see docs/blade.md")->required()->type_name("FILE");
+    add_materials(*blade, a);
+    add_output(*blade, a);
+    return blade;
+}
+
+CLI::App* add_cost(CLI::App& app, Arguments& a) {
+    CLI::App* cost = app.add_subcommand("cost", cost_help);
+    cost->add_option("input", a.request.input, "a cost table (.toml), see docs/cost.md")->required()->type_name("FILE");
+    add_number(*cost, "--time", a.cutting.seconds, "S", "of a piece, for variants that say no time");
+    cost->add_option("--program", a.cutting.program, "the same: as long as this program or job takes")
+        ->type_name("FILE");
+    add_machine(*cost, a);
+    add_output(*cost, a);
+    return cost;
 }
 
 }  // namespace obrys::cli

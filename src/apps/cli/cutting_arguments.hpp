@@ -19,9 +19,13 @@ struct CuttingArguments {
     std::string kind = "end-mill";       ///< of data
     std::string material;                ///< a name; empty: none
     std::vector<std::string> materials;  ///< files
+    double seconds = NAN;                ///< of cost: of a piece; NaN: not given
+    std::string program;                 ///< of cost: what takes so long
     bool list = false;                   ///< of data: the materials
 };
 
 CLI::App* add_data(CLI::App& app, Arguments& a);
+CLI::App* add_cost(CLI::App& app, Arguments& a);
+CLI::App* add_blade(CLI::App& app, Arguments& a);
 
 }  // namespace obrys::cli

@@ -125,6 +125,24 @@ inline constexpr const char* data_help =
     "input,\n"
     "3 neither speed nor feed follows from what is given.";
 
+inline constexpr const char* blade_help =
+    "How a thin blade rings before, while and after it is finished from its tip to its root: natural frequencies,\n"
+    "stiffness at the tip and at the cut, and which speeds tooth passing does not meet it at (docs/blade.md).\n\n"
+    "Examples:\n"
+    "  obrys blade blade.toml\n"
+    "  obrys blade blade.toml --format json -o blade.json\n\n"
+    "Exit codes: 0 computed, 1 it rings at the speed that is asked for, 2 usage or unreadable input.";
+
+inline constexpr const char* cost_help =
+    "What a piece, a batch and a year cost, by items, from a shop's cost table (docs/cost.md) and the time of a "
+    "piece:\n"
+    "that is given, or what obrys time estimates of a program. Variants stand beside each other.\n\n"
+    "Examples:\n"
+    "  obrys cost shop.toml --time 166\n"
+    "  obrys cost shop.toml --program PART.H --machine mill.toml\n"
+    "  obrys cost variants.toml --format json\n\n"
+    "Exit codes: 0 costed, 2 usage or unreadable input, 3 not fully costed: a time is not known, or not all of it.";
+
 inline constexpr const char* time_help =
     "Estimates how long the machine takes for a program: speeds, accelerations and jerk of its axes, corners within "
     "the\n"

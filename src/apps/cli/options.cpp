@@ -308,6 +308,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.sheet = add_sheet(app, a);
     c.time = add_time(app, a);
     c.data = add_data(app, a);
+    c.cost = add_cost(app, a);
+    c.blade = add_blade(app, a);
     c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
@@ -315,7 +317,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.data})
+    for (CLI::App* command :
+         {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.data, c.cost, c.blade})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

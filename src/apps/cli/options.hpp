@@ -17,6 +17,8 @@ struct Commands {
     CLI::App* sheet;
     CLI::App* time;
     CLI::App* data;
+    CLI::App* cost;
+    CLI::App* blade;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;
