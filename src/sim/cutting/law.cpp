@@ -21,6 +21,7 @@ Law linear_law(const shop::LinearLaw& law) {
     Law l;
     l.cut = {law.tangential, law.radial, law.axial};
     l.edge = {law.edge_tangential, law.edge_radial, law.edge_axial};
+    l.least_chip = usual_least_chip;
     l.name = "linear";
     l.source = law.source;
     return l;
@@ -31,10 +32,12 @@ Law law_for(const shop::WorkMaterial& material, double chip) {
     return kienzle ? kienzle_law(*material.kienzle) : linear_law(*material.linear);
 }
 
+double edge_share(const Law& law, double chip) { return chip < law.least_chip ? chip / law.least_chip : 1; }
+
 EdgeForce force(const Law& law, double chip) {
     if (!(chip > 0)) return {};
     const double cut = law.exponent == 0 ? chip : std::pow(chip, 1 - law.exponent);
-    const double edge = std::min(1.0, chip / least_chip);
+    const double edge = edge_share(law, chip);
     return {law.cut.tangential * cut + law.edge.tangential * edge, law.cut.radial * cut + law.edge.radial * edge,
             law.cut.axial * cut + law.edge.axial * edge};
 }

@@ -207,6 +207,11 @@ void read_all(Section& s, Job& job) {
     job.variables = read_variables(s);
     read_limits(s, job);
     read_machine_name(s, job);
+    if (const auto material = s.text("material")) {
+        job.material = *material;
+        job.material_where = find(s.table(), "material")->value.where;
+    }
+    job.materials_files = files_of(s, "materials");
 }
 
 }  // namespace
