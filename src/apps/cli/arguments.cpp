@@ -72,6 +72,7 @@ Arguments parse(int argc, char** argv) {
                 : c.data->parsed()      ? Command::data
                 : c.cost->parsed()      ? Command::cost
                 : c.blade->parsed()     ? Command::blade
+                : c.force->parsed()     ? Command::force
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

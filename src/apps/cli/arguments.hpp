@@ -27,6 +27,7 @@ enum class Command : int {
     data,
     cost,
     blade,
+    force,
     post,
     version
 };

@@ -121,6 +121,14 @@ CLI::App* add_blade(CLI::App& app, Arguments& a) {
     return blade;
 }
 
+CLI::App* add_force(CLI::App& app, Arguments& a) {
+    CLI::App* force = app.add_subcommand("force", force_help);
+    add_material(*force, a);
+    force->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
+    force->add_option("--lines", a.lines, "how many of the lines with the largest forces (10)")->type_name("N");
+    return force;
+}
+
 CLI::App* add_cost(CLI::App& app, Arguments& a) {
     CLI::App* cost = app.add_subcommand("cost", cost_help);
     cost->add_option("input", a.request.input, "a cost table (.toml), see docs/cost.md")->required()->type_name("FILE");

@@ -27,5 +27,7 @@ struct CuttingArguments {
 CLI::App* add_data(CLI::App& app, Arguments& a);
 CLI::App* add_cost(CLI::App& app, Arguments& a);
 CLI::App* add_blade(CLI::App& app, Arguments& a);
+/// Without what it has in common with the other commands that run a program.
+CLI::App* add_force(CLI::App& app, Arguments& a);
 
 }  // namespace obrys::cli

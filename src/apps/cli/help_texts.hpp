@@ -125,6 +125,19 @@ inline constexpr const char* data_help =
     "input,\n"
     "3 neither speed nor feed follows from what is given.";
 
+inline constexpr const char* force_help =
+    "Forces of a milling program: of each move that cuts mean and largest force, power, torque and how far the tool\n"
+    "gives way, from what the simulation removed, the tool's edges and the material, at the feed that obrys time "
+    "plans;\n"
+    "and what the machine's spindle and the tool list say against it (docs/force.md).\n\n"
+    "Examples:\n"
+    "  obrys force part.job.toml\n"
+    "  obrys force part.job.toml --material AlSi12Cu --machine fv25cnc-a\n"
+    "  obrys force part.job.toml --format json -o force.json\n\n"
+    "Exit codes: 0 computed, 1 findings, 2 usage or unreadable input, 3 not fully computed: something was not run, "
+    "not\n"
+    "simulated, or the material or the teeth of a tool are not known.";
+
 inline constexpr const char* blade_help =
     "How a thin blade rings before, while and after it is finished from its tip to its root: natural frequencies,\n"
     "stiffness at the tip and at the cut, and which speeds tooth passing does not meet it at (docs/blade.md).\n\n"

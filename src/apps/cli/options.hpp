@@ -19,6 +19,7 @@ struct Commands {
     CLI::App* data;
     CLI::App* cost;
     CLI::App* blade;
+    CLI::App* force;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;

@@ -25,12 +25,26 @@ struct Load {
     bool engaged = false;
 };
 
-void add(Load& load, const Ring& r, double angle, double thickness, const cutting::Law& law) {
+/// Sine and cosine of an angle.
+struct Turn {
+    double s = 0, c = 1;
+};
+
+/// A ring as the sums need it.
+struct Edge {
+    const Ring* ring = nullptr;
+    Turn lag;
+    double side = 0, down = 0;  ///< the chip is side sin(angle) + down
+    double up = 0, out = 0;     ///< sine and cosine of its lean
+};
+
+void add(Load& load, const Edge& e, const Turn& angle, double thickness, const cutting::Law& law) {
+    const Ring& r = *e.ring;
     const cutting::EdgeForce f = cutting::force(law, thickness);
-    const double s = std::sin(angle), c = std::cos(angle), up = std::sin(r.lean), out = std::cos(r.lean);
     const double t = f.tangential * r.length, n = f.radial * r.length, a = f.axial * r.length;
+    const double inward = n * e.up + a * e.out;
     load.force =
-        load.force + geom::Vec3{-t * c - (n * up + a * out) * s, t * s - (n * up + a * out) * c, n * out - a * up};
+        load.force + geom::Vec3{-t * angle.c - inward * angle.s, t * angle.s - inward * angle.c, n * e.out - a * e.up};
     load.torque += t * r.radius;
     load.edge_torque += law.edge.tangential * cutting::edge_share(law, thickness) * r.length * r.radius;
     load.engaged = true;
@@ -41,19 +55,29 @@ struct Chips {
 };
 
 /// Of one tooth whose tip stands at this angle.
-Load load_at(std::span<const Ring> rings, const Feed& feed, const cutting::Law& law, double tip, Chips& chips) {
+Load load_at(std::span<const Edge> edges, const cutting::Law& law, double tip, Chips& chips) {
     Load load;
-    for (const Ring& r : rings) {
-        const double angle = turned(tip - r.lag);
-        if (!engaged(r, angle)) continue;
-        const double thickness = chip(r, feed, angle);
-        if (!(thickness > 0)) continue;
-        add(load, r, angle, thickness, law);
+    const Turn here{std::sin(tip), std::cos(tip)};
+    for (const Edge& e : edges) {
+        const Turn turn{here.s * e.lag.c - here.c * e.lag.s, here.c * e.lag.c + here.s * e.lag.s};
+        const double thickness = e.side * turn.s + e.down;
+        if (!(thickness > 0) || !engaged(*e.ring, e.ring->lag == 0 ? tip : turned(tip - e.ring->lag))) continue;
+        add(load, e, turn, thickness, law);
         chips.largest = std::max(chips.largest, thickness);
-        chips.sum += thickness * r.length;
-        chips.weight += r.length;
+        chips.sum += thickness * e.ring->length;
+        chips.weight += e.ring->length;
     }
     return load;
+}
+
+std::vector<Edge> edges_of(std::span<const Ring> rings, const Feed& feed) {
+    std::vector<Edge> all;
+    for (const Ring& r : rings) {
+        if (r.arcs.empty()) continue;
+        const double up = std::sin(r.lean), out = std::cos(r.lean);
+        all.push_back({&r, {std::sin(r.lag), std::cos(r.lag)}, feed.side * up, feed.down * out, up, out});
+    }
+    return all;
 }
 
 void add(Forces& f, const Load& all) {
@@ -81,9 +105,10 @@ Forces forces(std::span<const Ring> rings, int teeth, const Feed& feed, const cu
     const int in_pitch = std::max(1, (steps + teeth - 1) / teeth);
     std::vector<Load> tooth(static_cast<std::size_t>(in_pitch) * static_cast<std::size_t>(teeth));
     const double step = 2 * pi / static_cast<double>(tooth.size());
+    const std::vector<Edge> edges = edges_of(rings, feed);
     Chips chips;
     for (std::size_t i = 0; i < tooth.size(); ++i)
-        tooth[i] = load_at(rings, feed, law, (static_cast<double>(i) + 0.5) * step, chips);
+        tooth[i] = load_at(edges, law, (static_cast<double>(i) + 0.5) * step, chips);
     for (std::size_t i = 0; i < static_cast<std::size_t>(in_pitch); ++i) {
         Load all;
         for (std::size_t k = i; k < tooth.size(); k += static_cast<std::size_t>(in_pitch)) {
