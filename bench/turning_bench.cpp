@@ -28,13 +28,15 @@ std::size_t cut_groove(Workpiece& w, const Contour& blade, double z0, std::size_
         at = to;
         ++n;
     };
-    for (int pass = 0; n < moves; ++pass) {
+    int pass = 0;
+    while (n < moves) {
         const double z = z0 + 5 + 0.7 * pass, depth = 100 - 0.6 * pass;
         go(z, bar + 1);
         go(z, bar - depth);
         go(z + 0.2, bar - depth + 0.3);
         go(z + 0.2, bar + 1);
         go(z + 0.1, bar + 5);
+        ++pass;
     }
     return n;
 }

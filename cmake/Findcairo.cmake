@@ -13,3 +13,7 @@ if(cairo_FOUND AND NOT TARGET cairo::cairo)
   set_target_properties(cairo::cairo PROPERTIES IMPORTED_LOCATION "${CAIRO_LIBRARY}"
     INTERFACE_INCLUDE_DIRECTORIES "${CAIRO_INCLUDE_DIR}")
 endif()
+if(cairo_FOUND AND NOT TARGET cairo::headers)
+  include(obrys_later)
+  obrys_later(cairo::headers ${CAIRO_LIBRARY} ${CAIRO_INCLUDE_DIR} OBRYS_CAIRO_LIBRARY)
+endif()

@@ -14,3 +14,7 @@ if(libzip_FOUND AND NOT TARGET libzip::zip)
   set_target_properties(libzip::zip PROPERTIES IMPORTED_LOCATION "${LIBZIP_LIBRARY}"
     INTERFACE_INCLUDE_DIRECTORIES "${LIBZIP_INCLUDE_DIR}")
 endif()
+if(libzip_FOUND AND NOT TARGET libzip::headers)
+  include(obrys_later)
+  obrys_later(libzip::headers ${LIBZIP_LIBRARY} ${LIBZIP_INCLUDE_DIR} OBRYS_ZIP_LIBRARY)
+endif()

@@ -45,7 +45,6 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/obrysConfigVersion.cmake 
 install(TARGETS obrys_library EXPORT obrys ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(EXPORT obrys NAMESPACE obrys:: FILE obrysTargets.cmake DESTINATION ${cmake_dir})
 install(FILES ${PROJECT_BINARY_DIR}/obrysConfig.cmake ${PROJECT_BINARY_DIR}/obrysConfigVersion.cmake
-  ${CMAKE_CURRENT_LIST_DIR}/Findlibzip.cmake ${CMAKE_CURRENT_LIST_DIR}/Findcairo.cmake
   ${CMAKE_CURRENT_LIST_DIR}/Findlua.cmake DESTINATION ${cmake_dir})
 
 # pkg-config; found from the file's own place, so that the tree can be moved.
@@ -85,7 +84,10 @@ set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libtomlplusplus-dev, libtbb-dev, libzip-dev, libcairo2-dev, liblua5.4-dev")
+# What the program loads while it runs, dpkg-shlibdeps does not see.
+get_property(later GLOBAL PROPERTY obrys_later_packages)
+list(JOIN later ", " CPACK_DEBIAN_PACKAGE_DEPENDS)
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "libfmt-dev, libtomlplusplus-dev, libtbb-dev, liblua5.4-dev")
 if(loadables)
   set(CPACK_DEB_COMPONENT_INSTALL ON)
   set(CPACK_COMPONENTS_GROUPING IGNORE)

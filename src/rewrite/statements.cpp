@@ -325,28 +325,4 @@ void Writing::loop(std::uint32_t i) {
                             : say("flow.end-while", {{"n", structure_number(f.target)}}, "FOR"));
 }
 
-void Writing::counted(std::uint32_t i) {
-    const program::Branch& b = unit->branches[entry_of(*unit, i)];
-    const bool opens = unit->statements[i].kind == StatementKind::repeat_count;
-    std::string& name = counters_[opens ? i : b.target];
-    if (opens) name = naming.keeper(*unit, "COUNT_").value_or("");
-    if (name.empty()) return refuse(here, "there is no parameter left to count the passes of this loop");
-    const Text counter{name, Level::atom, std::nullopt};
-    const Condition more{
-        .kind = Condition::Kind::comparison, .op = Operator::greater_equal, .a = counter, .b = number_text(0.5)};
-    if (opens)
-        assign(counter, value(b.condition));
-    else
-        assign(counter, joined("operators.subtract", counter, number_text(1), Level::sum));
-    if (!keeps_structures()) {
-        if (!opens) return jump_when(more, label_of(b.target + 1));
-        Condition none = more;
-        none.op = Operator::less;
-        return jump_when(none, label_of(b.target));
-    }
-    static_cast<void>(
-        opens ? say("flow.while", {{"condition", as_text(more).value_or("")}, {"n", structure_number(i)}}, "a loop")
-              : say("flow.end-while", {{"n", structure_number(b.target)}}, "a loop"));
-}
-
 }  // namespace obrys::rewrite

@@ -62,7 +62,9 @@ def package(build, scratch):
     debs = [d for d in debs if d not in module]
     expect(len(debs) == 1 and debs[0].name.startswith("obrys_"), "cpack makes one .deb of obrys itself")
     fields = run("dpkg-deb", "--field", debs[0])
-    expect("libfmt" in fields and "libc6" in fields, "it names the shared libraries it needs")
+    needs = next(line for line in fields.splitlines() if line.startswith("Depends:"))
+    expect("libc6" in needs, "it names the shared libraries it needs")
+    expect("libcairo" in needs and "libzip" in needs, "and those it loads while it runs")
     expect("libocct" not in fields, "it does not ask for Open CASCADE")
     content = run("dpkg-deb", "--contents", debs[0])
     for path in ("./usr/bin/obrys", "obrys.1", "libobrys.a", "include/obrys/base/diagnostic.hpp", "include/obrys/check.hpp", "obrysConfig.cmake",

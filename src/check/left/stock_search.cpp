@@ -29,7 +29,7 @@ constexpr std::size_t open_in_full = 4;       ///< pieces of a curve that were n
 constexpr std::size_t open_at_all = 32;       ///< the same: then none
 constexpr std::size_t cells_when_open = 300;  ///< of a shorter search
 constexpr std::size_t most_again = 8;         ///< moves that were not decided: they are looked at again
-constexpr std::size_t patience = 4;           ///< times as long
+constexpr std::size_t longer = 4;             ///< times as long
 
 /// Level circles about the tool's axis.
 bool is_level(const geom::Circular& c, Vec3 axis) {
@@ -281,7 +281,7 @@ void StockSearch::look_again(Verdicts& verdicts, const std::vector<StockPass>& p
             auto& [number, verdict] = verdicts[open[n]];
             const auto pass = std::find_if(passes.begin(), passes.end(),
                                            [&, wanted = number](const StockPass& q) { return q.number == wanted; });
-            const Verdicts again = judged({&*pass, 1}, simulation, stop, patience);
+            const Verdicts again = judged({&*pass, 1}, simulation, stop, longer);
             verdict = again.empty() ? Verdict{} : again.front().second;
         },
         1);

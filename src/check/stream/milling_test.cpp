@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "check/result_testing.hpp"
 #include "check/stream/check.hpp"
+#include "check/stream/milling_testing.hpp"
 #include "mesh/primitives.hpp"
 
 namespace obrys::check {
@@ -15,22 +16,8 @@ namespace obrys::check {
 namespace {
 
 using testing::amount;
-
-Setup face_setup() {
-    Setup s;
-    s.machine.kind = shop::MachineKind::mill;
-    shop::Tool t;
-    t.number = 1;
-    t.kind = shop::ToolKind::end_mill;
-    t.radius = 10;
-    t.cutting_length = 30;
-    s.tools = {t};
-    s.tools_given = true;
-    s.milling.emplace();
-    s.milling->stock = sim::milling::Box3{{0, 0, -40}, {60, 40, 0}};
-    s.milling->tolerance = 0.02;
-    return s;
-}
+using testing::face_setup;
+using testing::of;
 
 /// Mills the strips at Y 5, 20 and 35 at a height; the last one not where `half`.
 Result mill(Setup setup, double z, bool half) {
@@ -58,13 +45,6 @@ Result mill(Setup setup, double z, bool half) {
 Setup with_part(Setup s, double top) {
     s.milling->part = std::make_shared<const mesh::Distance>(mesh::box({0, 0, -40}, {60, 40, top}));
     return s;
-}
-
-std::vector<const Finding*> of(const Result& r, std::string_view code) {
-    std::vector<const Finding*> found;
-    for (const Finding& f : r.findings)
-        if (f.code == code) found.push_back(&f);
-    return found;
 }
 
 }  // namespace
@@ -264,54 +244,6 @@ TEST(Milling, AToolWithoutRadiusIsNotSimulatedAndSaidSo) {
 TEST(Milling, AProgramBesideTheStockIsNotClean) {
     const Result r = mill(with_part(face_setup(), 0), 5, false);
     EXPECT_EQ(r.verdict, Verdict::not_fully_checked);
-}
-
-/// From X -30 Y -40 to X 30 Y 80 beside a block: the straight way misses its corner, the way of axes that go as fast as
-/// they can one by one does not.
-TEST(Milling, ADogLegRapidMeetsWhatTheStraightOneMisses) {
-    for (const bool dog_leg : {false, true}) {
-        check::Setup s = face_setup();
-        s.machine.rapid_path = dog_leg ? shop::RapidPath::dog_leg : shop::RapidPath::straight;
-        for (const char* name : {"X", "Y", "Z"}) {
-            shop::MachineAxis a;
-            a.name = name;
-            a.rapid = 10'000;
-            s.machine.axes.push_back(a);
-        }
-        const cl::CallStacks stacks;
-        Check check(std::move(s), stacks);
-        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
-        take(cl::ToolChange{1, 1, ""});
-        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
-        take(cl::Linear{{-40, -60, -5}, {0, 0, 1}, true});
-        take(cl::Linear{{0, 100, -5}, {0, 0, 1}, true});
-        take(cl::Feed{500, cl::FeedMode::per_minute});
-        take(cl::Linear{{0, 30, -5}, {0, 0, 1}, false});
-        const Result r = check.finish();
-        EXPECT_EQ(of(r, base::codes::rapid_in_stock).empty(), !dog_leg);
-    }
-}
-
-/// Where the machine file does not say which way a rapid goes, the one that nobody has asked for finds nothing, but the
-/// check is not called clean.
-TEST(Milling, ARapidThatMayBendIsNotCalledClear) {
-    for (const double corner : {-60.0, -160.0}) {
-        check::Setup s = face_setup();
-        s.rapids = {shop::RapidPath::either, "bit LRP of parameter 1401 = 0"};
-        const cl::CallStacks stacks;
-        Check check(std::move(s), stacks);
-        const auto take = [&](cl::Step step) { check.take({std::move(step), {0, 0, 1}, 0}); };
-        take(cl::ToolChange{1, 1, ""});
-        take(cl::Spindle{3000, cl::SpindleMode::rpm, 1, 0});
-        take(cl::Linear{{-40, corner, -5}, {0, 0, 1}, true});
-        take(cl::Linear{{corner < -100 ? -40.0 : 0.0, 100, -5}, {0, 0, 1}, true});
-        const Result r = check.finish();
-        EXPECT_TRUE(of(r, base::codes::rapid_in_stock).empty());
-        const bool said = std::any_of(r.unchecked.begin(), r.unchecked.end(), [](const Note& n) {
-            return n.text.find("bit LRP of parameter 1401 = 0") != std::string::npos;
-        });
-        EXPECT_EQ(said, corner > -100) << "along one axis nothing bends";
-    }
 }
 
 TEST(Milling, AMoveThatIsTooLongForTheToleranceIsNotCalledClean) {

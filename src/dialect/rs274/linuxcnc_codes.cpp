@@ -129,10 +129,6 @@ constexpr MCode m(std::uint16_t first, std::uint16_t last, std::uint8_t group, O
 constexpr MCode state_m(std::uint16_t number, Modal modal) {
     return {number, number, 7, Use::modal, state, {}, modal, {}};
 }
-constexpr MCode no_effect(std::uint16_t first, std::uint16_t last, std::uint8_t group, Order order,
-                          std::string_view letters) {
-    return {first, last, group, Use::ignored, order, letters, Modal::rapid, {}};
-}
 
 constexpr std::array m_codes{
     m(0, 2, 4, m_stop),

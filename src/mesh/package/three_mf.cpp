@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "base/library/shared_library.hpp"
 #include "base/number.hpp"
 #include "mesh/package/three_mf.hpp"
 
@@ -99,48 +100,89 @@ std::string model(const Mesh& m, Palette palette) {
     return out + "</build>\n</model>\n";
 }
 
+/// libzip's functions, loaded with the first archive.
+#define OBRYS_ZIP_FUNCTIONS(X) \
+    X(close)                   \
+    X(discard)                 \
+    X(error_fini)              \
+    X(error_init)              \
+    X(file_add)                \
+    X(file_set_dostime)        \
+    X(open_from_source)        \
+    X(set_file_compression)    \
+    X(source_buffer)           \
+    X(source_buffer_create)    \
+    X(source_close)            \
+    X(source_free)             \
+    X(source_keep)             \
+    X(source_open)             \
+    X(source_read)             \
+    X(source_stat)
+
+struct Zip {
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): a name for each of the header's
+#define OBRYS_ZIP_FUNCTION(name) decltype(&::zip_##name) name = nullptr;
+    OBRYS_ZIP_FUNCTIONS(OBRYS_ZIP_FUNCTION)
+#undef OBRYS_ZIP_FUNCTION
+};
+
+Zip load_zip() {
+    const base::library::SharedLibrary library(OBRYS_ZIP_LIBRARY);
+    Zip out;
+// NOLINTNEXTLINE(cppcoreguidelines-macro-usage): a name for each of the header's
+#define OBRYS_ZIP_FUNCTION(name) library.find(out.name, "zip_" #name);
+    OBRYS_ZIP_FUNCTIONS(OBRYS_ZIP_FUNCTION)
+#undef OBRYS_ZIP_FUNCTION
+    return out;
+}
+
+const Zip& zip() {
+    static const Zip loaded = load_zip();
+    return loaded;
+}
+
 /// An archive in memory.
 class Archive {
 public:
     Archive() {
-        zip_error_init(&error_);
-        bytes_ = zip_source_buffer_create(nullptr, 0, 0, &error_);
+        zip().error_init(&error_);
+        bytes_ = zip().source_buffer_create(nullptr, 0, 0, &error_);
         if (bytes_ == nullptr) fail();
-        zip_source_keep(bytes_);
-        archive_ = zip_open_from_source(bytes_, ZIP_TRUNCATE, &error_);
+        zip().source_keep(bytes_);
+        archive_ = zip().open_from_source(bytes_, ZIP_TRUNCATE, &error_);
         if (archive_ == nullptr) fail();
     }
     ~Archive() {
-        if (archive_ != nullptr) zip_discard(archive_);
-        if (bytes_ != nullptr) zip_source_free(bytes_);
-        zip_error_fini(&error_);
+        if (archive_ != nullptr) zip().discard(archive_);
+        if (bytes_ != nullptr) zip().source_free(bytes_);
+        zip().error_fini(&error_);
     }
     Archive(const Archive&) = delete;
     Archive& operator=(const Archive&) = delete;
 
     /// `content` must stay until `finish`.
     void add(const char* name, std::string_view content) {
-        zip_source_t* source = zip_source_buffer(archive_, content.data(), content.size(), 0);
+        zip_source_t* source = zip().source_buffer(archive_, content.data(), content.size(), 0);
         if (source == nullptr) fail();
-        const zip_int64_t added = zip_file_add(archive_, name, source, ZIP_FL_ENC_UTF_8);
+        const zip_int64_t added = zip().file_add(archive_, name, source, ZIP_FL_ENC_UTF_8);
         if (added < 0) {
-            zip_source_free(source);
+            zip().source_free(source);
             fail();
         }
         const auto index = static_cast<zip_uint64_t>(added);
         // 1980-01-01, so that the same mesh gives the same bytes; little compression, which costs most of the time.
-        zip_file_set_dostime(archive_, index, 0, 33, 0);
-        zip_set_file_compression(archive_, index, ZIP_CM_DEFLATE, 3);
+        zip().file_set_dostime(archive_, index, 0, 33, 0);
+        zip().set_file_compression(archive_, index, ZIP_CM_DEFLATE, 3);
     }
 
     [[nodiscard]] std::string finish() {
-        if (zip_close(archive_) != 0) fail();
+        if (zip().close(archive_) != 0) fail();
         archive_ = nullptr;
         zip_stat_t about;
-        if (zip_source_open(bytes_) != 0 || zip_source_stat(bytes_, &about) != 0) fail();
+        if (zip().source_open(bytes_) != 0 || zip().source_stat(bytes_, &about) != 0) fail();
         std::string out(static_cast<std::size_t>(about.size), '\0');
-        if (zip_source_read(bytes_, out.data(), out.size()) != static_cast<zip_int64_t>(out.size())) fail();
-        zip_source_close(bytes_);
+        if (zip().source_read(bytes_, out.data(), out.size()) != static_cast<zip_int64_t>(out.size())) fail();
+        zip().source_close(bytes_);
         return out;
     }
 

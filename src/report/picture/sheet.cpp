@@ -1,15 +1,15 @@
 #include "report/picture/sheet.hpp"
 
-#include <cairo-svg.h>
-#include <cairo.h>
-
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <new>
 
+#include "report/drawing/cairo.hpp"
+
 namespace obrys::report::picture {
 
+using drawing::cairo;
 using geom::Vec2;
 
 namespace {
@@ -22,19 +22,19 @@ cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) 
 }
 
 void use(cairo_t* c, mesh::Colour colour) {
-    cairo_set_source_rgb(c, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+    cairo().set_source_rgb(c, colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
 }
 
 void use(cairo_t* c, const Pen& pen) {
     use(c, pen.colour);
-    cairo_set_line_width(c, pen.width);
-    cairo_set_dash(c, pen.dashes.data(), static_cast<int>(pen.dashes.size()), 0);
+    cairo().set_line_width(c, pen.width);
+    cairo().set_dash(c, pen.dashes.data(), static_cast<int>(pen.dashes.size()), 0);
 }
 
 void follow(cairo_t* c, const std::vector<Vec2>& points) {
     for (const Vec2 p : points)
         if (std::isfinite(p.x) && std::isfinite(p.y))
-            cairo_line_to(c, std::clamp(p.x, -furthest_px, furthest_px), std::clamp(p.y, -furthest_px, furthest_px));
+            cairo().line_to(c, std::clamp(p.x, -furthest_px, furthest_px), std::clamp(p.y, -furthest_px, furthest_px));
 }
 
 /// How many bytes of a letter follow its first one; 0 … 3, or -1 where it can be none.
@@ -96,10 +96,10 @@ std::string renumbered(const std::string& svg) {
 
 struct Sheet::Inside {
     struct SurfaceEnd {
-        void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
+        void operator()(cairo_surface_t* s) const { cairo().surface_destroy(s); }
     };
     struct ContextEnd {
-        void operator()(cairo_t* c) const { cairo_destroy(c); }
+        void operator()(cairo_t* c) const { cairo().destroy(c); }
     };
     using Surface = std::unique_ptr<cairo_surface_t, SurfaceEnd>;
     using Context = std::unique_ptr<cairo_t, ContextEnd>;
@@ -114,15 +114,15 @@ Sheet::Sheet(SheetFormat format, int width, int height) : inside_(new Inside{for
     width = std::max(width, 1);
     height = std::max(height, 1);
     if (format == SheetFormat::svg) {
-        inside_->surface.reset(cairo_svg_surface_create_for_stream(append, &inside_->bytes, width, height));
-        if (cairo_surface_status(inside_->surface.get()) == CAIRO_STATUS_SUCCESS)
-            cairo_svg_surface_set_document_unit(inside_->surface.get(), CAIRO_SVG_UNIT_PX);
+        inside_->surface.reset(cairo().svg_surface_create_for_stream(append, &inside_->bytes, width, height));
+        if (cairo().surface_status(inside_->surface.get()) == CAIRO_STATUS_SUCCESS)
+            cairo().svg_surface_set_document_unit(inside_->surface.get(), CAIRO_SVG_UNIT_PX);
     } else {
-        inside_->surface.reset(cairo_image_surface_create(CAIRO_FORMAT_RGB24, width, height));
+        inside_->surface.reset(cairo().image_surface_create(CAIRO_FORMAT_RGB24, width, height));
     }
-    inside_->context.reset(cairo_create(inside_->surface.get()));
-    cairo_set_source_rgb(inside_->context.get(), 1, 1, 1);
-    cairo_paint(inside_->context.get());
+    inside_->context.reset(cairo().create(inside_->surface.get()));
+    cairo().set_source_rgb(inside_->context.get(), 1, 1, 1);
+    cairo().paint(inside_->context.get());
 }
 
 Sheet::~Sheet() = default;
@@ -131,98 +131,98 @@ void Sheet::line(const std::vector<Vec2>& points, const Pen& pen) {
     cairo_t* c = inside_->context.get();
     use(c, pen);
     follow(c, points);
-    cairo_stroke(c);
+    cairo().stroke(c);
 }
 
 void Sheet::area(const std::vector<Vec2>& points, mesh::Colour colour) {
     cairo_t* c = inside_->context.get();
     use(c, colour);
     follow(c, points);
-    cairo_fill(c);
+    cairo().fill(c);
 }
 
 void Sheet::disc(Vec2 centre, double radius, mesh::Colour colour) {
     cairo_t* c = inside_->context.get();
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
     use(c, colour);
-    cairo_arc(c, centre.x, centre.y, radius, 0, 2 * geom::pi);
-    cairo_fill(c);
+    cairo().arc(c, centre.x, centre.y, radius, 0, 2 * geom::pi);
+    cairo().fill(c);
 }
 
 void Sheet::circle(Vec2 centre, double radius, const Pen& pen) {
     cairo_t* c = inside_->context.get();
     if (!std::isfinite(centre.x) || !std::isfinite(centre.y)) return;
     use(c, pen);
-    cairo_arc(c, centre.x, centre.y, radius, 0, 2 * geom::pi);
-    cairo_stroke(c);
+    cairo().arc(c, centre.x, centre.y, radius, 0, 2 * geom::pi);
+    cairo().stroke(c);
 }
 
 void Sheet::image(Vec2 corner, const Image& image) {
     if (image.width <= 0 || image.height <= 0) return;
-    const Inside::Surface pixels(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
-    if (cairo_surface_status(pixels.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
-    cairo_surface_flush(pixels.get());
-    unsigned char* const data = cairo_image_surface_get_data(pixels.get());
-    const int stride = cairo_image_surface_get_stride(pixels.get());
+    const Inside::Surface pixels(cairo().image_surface_create(CAIRO_FORMAT_ARGB32, image.width, image.height));
+    if (cairo().surface_status(pixels.get()) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+    cairo().surface_flush(pixels.get());
+    unsigned char* const data = cairo().image_surface_get_data(pixels.get());
+    const int stride = cairo().image_surface_get_stride(pixels.get());
     const std::size_t width = static_cast<std::size_t>(image.width);
     for (int j = 0; j < image.height; ++j) {
         const auto* row = image.pixels.data() + static_cast<std::size_t>(j) * width;
         const auto* bytes = reinterpret_cast<const unsigned char*>(row);
         std::copy(bytes, bytes + 4 * width, data + std::ptrdiff_t{j} * stride);
     }
-    cairo_surface_mark_dirty(pixels.get());
+    cairo().surface_mark_dirty(pixels.get());
     cairo_t* c = inside_->context.get();
-    cairo_set_source_surface(c, pixels.get(), corner.x, corner.y);
-    cairo_pattern_set_filter(cairo_get_source(c), CAIRO_FILTER_NEAREST);
-    cairo_paint(c);
+    cairo().set_source_surface(c, pixels.get(), corner.x, corner.y);
+    cairo().pattern_set_filter(cairo().get_source(c), CAIRO_FILTER_NEAREST);
+    cairo().paint(c);
 }
 
 void Sheet::clip(Vec2 corner, Vec2 size) {
     cairo_t* c = inside_->context.get();
-    cairo_save(c);
-    cairo_rectangle(c, corner.x, corner.y, size.x, size.y);
-    cairo_clip(c);
+    cairo().save(c);
+    cairo().rectangle(c, corner.x, corner.y, size.x, size.y);
+    cairo().clip(c);
 }
 
-void Sheet::unclip() { cairo_restore(inside_->context.get()); }
+void Sheet::unclip() { cairo().restore(inside_->context.get()); }
 
 void Sheet::text(Vec2 at, const std::string& content, const Words& words) {
     // A context of its own: an error of the font's must not end the drawing.
-    const Inside::Context own(cairo_create(inside_->surface.get()));
+    const Inside::Context own(cairo().create(inside_->surface.get()));
     cairo_t* c = own.get();
     const std::string shown = readable(content);
-    cairo_select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           words.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(c, words.size);
+    cairo().select_font_face(c, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                             words.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo().set_font_size(c, words.size);
     cairo_text_extents_t extents{};
-    cairo_text_extents(c, shown.c_str(), &extents);
-    cairo_translate(c, at.x, at.y);
-    if (words.upward) cairo_rotate(c, -geom::pi / 2);
-    cairo_move_to(c, -words.share * extents.x_advance, 0);
+    cairo().text_extents(c, shown.c_str(), &extents);
+    cairo().translate(c, at.x, at.y);
+    if (words.upward) cairo().rotate(c, -geom::pi / 2);
+    cairo().move_to(c, -words.share * extents.x_advance, 0);
     if (words.halo) {
-        cairo_text_path(c, shown.c_str());
-        cairo_set_source_rgba(c, 1, 1, 1, 0.85);
-        cairo_set_line_width(c, 4);
-        cairo_set_line_join(c, CAIRO_LINE_JOIN_ROUND);
-        cairo_stroke_preserve(c);
+        cairo().text_path(c, shown.c_str());
+        cairo().set_source_rgba(c, 1, 1, 1, 0.85);
+        cairo().set_line_width(c, 4);
+        cairo().set_line_join(c, CAIRO_LINE_JOIN_ROUND);
+        cairo().stroke_preserve(c);
         use(c, words.colour);
-        cairo_fill(c);
+        cairo().fill(c);
         return;
     }
     use(c, words.colour);
-    cairo_show_text(c, shown.c_str());
+    cairo().show_text(c, shown.c_str());
 }
 
 std::string Sheet::finish() {
     cairo_surface_t* const surface = inside_->surface.get();
     inside_->context.reset();
-    cairo_surface_flush(surface);
+    cairo().surface_flush(surface);
     std::string bytes;
     if (inside_->format == SheetFormat::svg) {
-        cairo_surface_finish(surface);
-        if (cairo_surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
+        cairo().surface_finish(surface);
+        if (cairo().surface_status(surface) != CAIRO_STATUS_SUCCESS) throw std::bad_alloc();
         bytes = renumbered(inside_->bytes);
-    } else if (cairo_surface_write_to_png_stream(surface, append, &bytes) != CAIRO_STATUS_SUCCESS) {
+    } else if (cairo().surface_write_to_png_stream(surface, append, &bytes) != CAIRO_STATUS_SUCCESS) {
         throw std::bad_alloc();
     }
     return bytes;

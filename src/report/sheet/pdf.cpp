@@ -1,16 +1,16 @@
 /// A4 across, by cairo.
 
-#include <cairo-pdf.h>
-#include <cairo.h>
-
 #include <algorithm>
 #include <memory>
 #include <new>
 
 #include "base/text.hpp"
+#include "report/drawing/cairo.hpp"
 #include "report/sheet/sheet.hpp"
 
 namespace obrys::report::sheet {
+
+using drawing::cairo;
 
 namespace {
 
@@ -26,26 +26,26 @@ cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned int c
 /// Text and lines from above to below; a page that is full is followed by another one.
 class Paper {
 public:
-    Paper() : surface_(cairo_pdf_surface_create_for_stream(append_bytes, &bytes_, page_width, page_height)) {
-        context_.reset(cairo_create(surface_.get()));
+    Paper() : surface_(cairo().pdf_surface_create_for_stream(append_bytes, &bytes_, page_width, page_height)) {
+        context_.reset(cairo().create(surface_.get()));
     }
 
     [[nodiscard]] double width_of(const std::string& text, bool bold) {
         set_font(size, bold);
         cairo_text_extents_t extents{};
-        cairo_text_extents(context_.get(), text.c_str(), &extents);
+        cairo().text_extents(context_.get(), text.c_str(), &extents);
         return extents.x_advance;
     }
     void text(double x, const std::string& content, double font, bool bold) {
         set_font(font, bold);
-        cairo_move_to(context_.get(), x, y_);
-        cairo_show_text(context_.get(), content.c_str());
+        cairo().move_to(context_.get(), x, y_);
+        cairo().show_text(context_.get(), content.c_str());
     }
     void rule() {
-        cairo_set_line_width(context_.get(), 0.4);
-        cairo_move_to(context_.get(), margin, y_ + 3);
-        cairo_line_to(context_.get(), page_width - margin, y_ + 3);
-        cairo_stroke(context_.get());
+        cairo().set_line_width(context_.get(), 0.4);
+        cairo().move_to(context_.get(), margin, y_ + 3);
+        cairo().line_to(context_.get(), page_width - margin, y_ + 3);
+        cairo().stroke(context_.get());
     }
     /// Room for so much; true where a new page begins with it.
     bool advance(double height) {
@@ -55,27 +55,27 @@ public:
         return true;
     }
     void new_page() {
-        cairo_show_page(context_.get());
+        cairo().show_page(context_.get());
         y_ = margin + line_height;
     }
     [[nodiscard]] std::string finish() {
-        const cairo_status_t drawn = cairo_status(context_.get());
+        const cairo_status_t drawn = cairo().status(context_.get());
         context_.reset();
-        cairo_surface_finish(surface_.get());
-        if (drawn != CAIRO_STATUS_SUCCESS || cairo_surface_status(surface_.get()) != CAIRO_STATUS_SUCCESS)
+        cairo().surface_finish(surface_.get());
+        if (drawn != CAIRO_STATUS_SUCCESS || cairo().surface_status(surface_.get()) != CAIRO_STATUS_SUCCESS)
             throw std::bad_alloc();
         return bytes_;
     }
 
 private:
     struct End {
-        void operator()(cairo_surface_t* s) const { cairo_surface_destroy(s); }
-        void operator()(cairo_t* c) const { cairo_destroy(c); }
+        void operator()(cairo_surface_t* s) const { cairo().surface_destroy(s); }
+        void operator()(cairo_t* c) const { cairo().destroy(c); }
     };
     void set_font(double font, bool bold) {
-        cairo_select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context_.get(), font);
+        cairo().select_font_face(context_.get(), "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                                 bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+        cairo().set_font_size(context_.get(), font);
     }
 
     std::string bytes_;

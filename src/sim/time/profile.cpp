@@ -9,7 +9,7 @@
 namespace obrys::sim::time {
 namespace {
 
-constexpr double tolerance = 1e-9;  ///< of speeds: what rounding makes of a limit that is just kept
+constexpr double speed_noise = 1e-9;  ///< of speeds: what rounding makes of a limit that is just kept
 constexpr std::uint32_t nobody = UINT32_MAX;
 
 /// Until it no longer gets faster: the middle of what is gone along at the highest speed.
@@ -17,8 +17,8 @@ double seconds_to_top(const Span& s) {
     Motion m{0, s.from.speed, s.from.acceleration};
     double seconds = 0, first = 0, last = 0, highest = -1;
     for (std::size_t i = 0; i <= s.count; ++i) {
-        if (m.speed > highest * (1 + tolerance)) highest = m.speed, first = seconds;
-        if (m.speed >= highest * (1 - tolerance)) last = seconds;
+        if (m.speed > highest * (1 + speed_noise)) highest = m.speed, first = seconds;
+        if (m.speed >= highest * (1 - speed_noise)) last = seconds;
         if (i == s.count) break;
         m = after(m, s.phases[i].seconds, s.phases[i].jerk);
         seconds += s.phases[i].seconds;
@@ -105,7 +105,7 @@ private:
         const Limits l = limits(i, k);
         const double length = at_[k] - at_[i];
         const double slow = std::min(a.speed, b.speed), fast = std::max(a.speed, b.speed);
-        if (fast > slow && ramp_length(slow, fast, l) > length * (1 + tolerance)) {
+        if (fast > slow && ramp_length(slow, fast, l) > length * (1 + speed_noise)) {
             const bool at_end = b.speed > a.speed;
             (at_end ? b : a).speed = reachable(slow, length, l);
             ask(at_end ? k : a.before);
@@ -141,16 +141,16 @@ private:
     [[nodiscard]] Fault fault(const Span& s, std::uint32_t from, std::uint32_t to, bool any = false) const {
         Fault f;
         Walk walk(s);
-        double worst = tolerance, before = s.from.speed;
+        double worst = speed_noise, before = s.from.speed;
         for (std::uint32_t i = from; i < to; ++i) {
             const double v = i + 1 < to ? walk.to(at_[i + 1] - at_[from]).speed : 0;
             if (i + 1 < to && v - most_[i + 1] > worst * most_[i + 1] + 1e-9) {
                 const double over = (v - most_[i + 1]) / (most_[i + 1] + 1e-9);
                 if (over > worst) worst = over, f.place = i + 1;
             }
-            if (s.peak > blocks_[i].speed * (1 + tolerance) &&
-                std::max(before, v) <= blocks_[i].speed * (1 + tolerance) &&
-                peak_in(s, at_[i] - at_[from], at_[i + 1] - at_[from]) > blocks_[i].speed * (1 + tolerance))
+            if (s.peak > blocks_[i].speed * (1 + speed_noise) &&
+                std::max(before, v) <= blocks_[i].speed * (1 + speed_noise) &&
+                peak_in(s, at_[i] - at_[from], at_[i + 1] - at_[from]) > blocks_[i].speed * (1 + speed_noise))
                 if (blocks_[i].speed < f.lower) f.lower = blocks_[i].speed, f.slow = i;
             before = v;
             if (any && (f.place != nobody || f.lower < INFINITY)) break;
@@ -228,7 +228,7 @@ private:
     /// How fast a place may be that a ramp goes through with this acceleration: one that was lowered, faster again.
     [[nodiscard]] double raised(std::uint32_t i, bool up, double acceleration, const Limits& l) const {
         const Node& b = nodes_[i];
-        if (b.speed >= most_[i] * (1 - tolerance)) return b.speed;
+        if (b.speed >= most_[i] * (1 - speed_noise)) return b.speed;
         const std::uint32_t k = up ? b.before : b.next;
         const End slow{nodes_[k].speed, std::abs(nodes_[k].acceleration)};
         return reachable(slow, acceleration, std::abs(at_[i] - at_[k]), most_[i], l).value_or(b.speed);

@@ -12,10 +12,10 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double sharp = 0.5;        ///< cosine between normals from which on a vertex is looked for beyond its leaf
-constexpr double like = 0.85;        ///< cosine between normals of one face of a body
-constexpr double leaves_beyond = 4;  ///< how far beyond, in leaves: the tip of an edge of 15 degrees
-constexpr double exactly = 0.125;    ///< of the tolerance
+constexpr double sharp_cosine = 0.5;  ///< cosine between normals from which on a vertex is looked for beyond its leaf
+constexpr double like = 0.85;         ///< cosine between normals of one face of a body
+constexpr double leaves_beyond = 4;   ///< how far beyond, in leaves: the tip of an edge of 15 degrees
+constexpr double exactly = 0.125;     ///< of the tolerance
 
 Vec3 normal_of(const Crossing& c) { return {c.normal[0], c.normal[1], c.normal[2]}; }
 
@@ -72,7 +72,7 @@ Vec3 Fine::vertex_of(const Piece& piece, NearCell& near) const {
     const Vec3 lo = leaves_.node(at), hi = leaves_.node({at[0] + s, at[1] + s, at[2] + s});
     const PlaneFit fit = planes_of(piece);
     const Vec3 held = fit.vertex(lo, hi);
-    if (fit.sharpest() > sharp) return held;
+    if (fit.sharpest() > sharp_cosine) return held;
     const Vec3 more{std::min(leaves_beyond * (hi.x - lo.x), lattice_.step.x),
                     std::min(leaves_beyond * (hi.y - lo.y), lattice_.step.y),
                     std::min(leaves_beyond * (hi.z - lo.z), lattice_.step.z)};
