@@ -39,11 +39,6 @@ inline constexpr std::string_view axis_limit = "axis-limit";
 inline constexpr std::string_view spindle_limit = "spindle-limit";
 inline constexpr std::string_view feed_limit = "feed-limit";
 inline constexpr std::string_view feed_implausible = "feed-implausible";
-inline constexpr std::string_view feed_differs = "feed-differs-from-cutting-data";
-inline constexpr std::string_view spindle_power = "spindle-power";
-inline constexpr std::string_view spindle_torque = "spindle-torque";
-inline constexpr std::string_view chip_too_thin = "chip-too-thin";
-inline constexpr std::string_view chip_too_thick = "chip-too-thick";
 inline constexpr std::string_view tool_missing = "tool-missing";
 inline constexpr std::string_view feed_missing = "feed-missing";
 inline constexpr std::string_view spindle_stopped = "spindle-stopped";
@@ -106,12 +101,6 @@ inline constexpr std::array all_codes{
     Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},
     Code{codes::feed_implausible, CodeKind::finding, "a feed that no tool cuts with: one of the other feed mode"},
-    Code{codes::feed_differs, CodeKind::finding,
-         "feed, speed or cutting speed are not what the cutting data make of it"},
-    Code{codes::spindle_power, CodeKind::finding, "a cut takes more power than the spindle has"},
-    Code{codes::spindle_torque, CodeKind::finding, "a cut takes more torque than the spindle has"},
-    Code{codes::chip_too_thin, CodeKind::finding, "a feed per tooth below what the tool's list says"},
-    Code{codes::chip_too_thick, CodeKind::finding, "a feed per tooth above what the tool's list says"},
     Code{codes::tool_missing, CodeKind::finding, "a tool or edge that the tool list does not hold"},
     Code{codes::feed_missing, CodeKind::finding, "a feed move without a programmed feed"},
     Code{codes::spindle_stopped, CodeKind::finding, "a cut while the spindle stands still"},

@@ -123,9 +123,6 @@ struct Job {
     std::optional<Part> solid_part;    ///< of milling; never beside `part` or `part_program`
     std::vector<Clamp> clamps;
     std::optional<Allowance> allowance;
-    std::string material;  ///< of the workpiece, a name as written; empty: not said
-    base::Span material_where;
-    std::vector<NamedFile> materials_files;
     std::vector<Override> overrides;
     std::vector<NamedFile> search;           ///< folders for subprograms
     std::vector<NamedFile> datum_tables;     ///< .D; the first is in use until one is selected

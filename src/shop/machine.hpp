@@ -51,7 +51,7 @@ struct MachineMotion {
 
 struct MachineSpindle {
     double min = 0, max = std::numeric_limits<double>::infinity();  ///< 1/min; infinite: not limited
-    std::optional<double> power, torque;                            ///< kW, Nm
+    std::optional<double> power;                                    ///< kW
 };
 
 /// State of the control at the start of a program.

@@ -106,17 +106,13 @@ struct Tool {
     std::optional<double> plunge_angle, point_angle;  ///< degrees: ANGLE (ramp, at most), T-ANGLE
     std::optional<double> max_speed;                  ///< 1/min: NMAX
     int teeth = 0;                                    ///< CUT., 0 = not said
-    /// For cutting forces; nothing: not said. Degrees, mm from the holder to the tip, N/mm2; what its maker wants it to
-    /// be used with, from least to most: mm, m/min.
-    std::optional<double> helix, stick_out, elasticity;
-    std::optional<std::array<double, 2>> feed_per_tooth, cutting_speed;
-    bool locked = false;                        ///< TL
-    std::optional<std::uint32_t> replacement;   ///< RT, number of the tool that takes its place
-    std::string cutter_material, cutting_data;  ///< TMAT; CDT, the name of its cutting data table
-    std::optional<TableTool> table;             ///< of tools from a LinuxCNC table
-    std::map<int, double> parameters;           ///< $TC_DPn as read, n = 1 … 25, from TOA files
-    std::string assumed;                        ///< what its file does not say and was assumed; empty: nothing
-    base::Span where;                           ///< where it is defined
+    bool locked = false;                              ///< TL
+    std::optional<std::uint32_t> replacement;         ///< RT, number of the tool that takes its place
+    std::string cutter_material, cutting_data;        ///< TMAT; CDT, the name of its cutting data table
+    std::optional<TableTool> table;                   ///< of tools from a LinuxCNC table
+    std::map<int, double> parameters;                 ///< $TC_DPn as read, n = 1 … 25, from TOA files
+    std::string assumed;                              ///< what its file does not say and was assumed; empty: nothing
+    base::Span where;                                 ///< where it is defined
     bool operator==(const Tool&) const = default;
 };
 

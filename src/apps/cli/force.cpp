@@ -15,6 +15,7 @@
 #include "milled.hpp"
 #include "report/cutting/force.hpp"
 #include "session.hpp"
+#include "shop/files/cutting/job_cutting.hpp"
 #include "shop/files/cutting/material_file.hpp"
 #include "sim/time/timer.hpp"
 
@@ -63,30 +64,32 @@ std::vector<double> shares(const std::vector<check::MilledMove>& moves, const Pl
     return all;
 }
 
-/// What the workpiece is made of: as the call says, else the job. False: what is said cannot be used.
-bool find_material(const Arguments& a, driver::Session& s, std::optional<shop::WorkMaterial>& material) {
-    const std::string name = a.cutting.material.empty() ? s.job.material : a.cutting.material;
+/// What the job says of its cuts; nothing where it is none.
+shop::CuttingJob cutting_job(driver::Session& s, base::Diagnostics& found) {
+    if (!s.has_job) return {};
+    const auto file = driver::load(*s.storage, s.input, s.sources, found);
+    return file ? shop::read_cutting_job(*file, s.sources, found) : shop::CuttingJob{};
+}
+
+/// What the workpiece is made of: as the call says, else the job. Nothing, and no complaint: nobody says it.
+std::optional<shop::WorkMaterial> find_material(const Arguments& a, const shop::CuttingJob& job, driver::Session& s,
+                                                base::Diagnostics& found) {
     std::vector<shop::WorkMaterial> all;
-    std::vector<std::string> files = a.cutting.materials;
-    for (const shop::NamedFile& f : s.job.materials_files)
-        files.push_back(driver::beside(a.request.input, f.path).generic_string());
-    for (const std::string& path : files) {
-        const auto file = driver::load(*s.storage, path, s.sources, s.diagnostics);
-        if (!file) return false;
-        for (shop::WorkMaterial& m : shop::read_materials(*file, s.sources, s.diagnostics)) all.push_back(std::move(m));
-        if (s.diagnostics.has_errors()) return false;
-    }
+    const auto read = [&](const driver::fs::path& path, const base::Span& where) {
+        const auto file = driver::load(*s.storage, path, s.sources, found, where);
+        if (!file) return;
+        for (shop::WorkMaterial& m : shop::read_materials(*file, s.sources, found)) all.push_back(std::move(m));
+    };
+    for (const std::string& path : a.cutting.materials) read(path, driver::nowhere);
+    for (const auto& f : job.materials) read(driver::beside(s.input, f.path), f.where);
     all.insert(all.end(), shop::shipped_materials().begin(), shop::shipped_materials().end());
-    if (name.empty()) return true;
-    const shop::WorkMaterial* found = shop::find_material(all, name);
-    if (found != nullptr) {
-        material = *found;
-        return true;
-    }
-    driver::complain(s.diagnostics, base::codes::job_value,
-                     a.cutting.material.empty() ? s.job.material_where : driver::nowhere,
+    const bool by_call = !a.cutting.material.empty();
+    const std::string& name = by_call ? a.cutting.material : job.material;
+    if (name.empty()) return std::nullopt;
+    if (const shop::WorkMaterial* m = shop::find_material(all, name)) return *m;
+    driver::complain(found, base::codes::job_value, by_call ? driver::nowhere : job.material_where,
                      "there is no material \"" + name + "\"", shop::material_remedy(all, name));
-    return false;
+    return std::nullopt;
 }
 
 std::vector<std::string> gaps_of(const driver::Session& s, const check::Result& result) {
@@ -105,11 +108,11 @@ int force(const Arguments& a) {
     driver::Session s;
     if (!open(a, s)) return 2;
     add_program_tools(s);
-    std::optional<shop::WorkMaterial> material;
-    if (!find_material(a, s, material)) {
-        print_diagnostics(s, base::Severity::warning);
-        return 2;
-    }
+    base::Diagnostics found;
+    const shop::CuttingJob job = cutting_job(s, found);
+    const std::optional<shop::WorkMaterial> material = find_material(a, job, s, found);
+    for (const base::Diagnostic& d : found.all()) std::fputs(base::render(d, s.sources).c_str(), stderr);
+    if (found.has_errors()) return 2;
     s.job.scope = shop::Scope::collisions;  // forces need no part
     const driver::Checked checked = driver::check_program(s, 0, a.milling);
     print_diagnostics(s, base::Severity::error);
@@ -125,11 +128,13 @@ int force(const Arguments& a) {
     const Planned times = planned_times(a);
     const std::vector<double> planned = shares(checked.result.milled->moves, times);
     const shop::WorkMaterial* m = material ? &*material : nullptr;
-    check::force::ForceResult forces = check::force::forces_of(checked.result, checked.setup, m, planned);
-    std::vector<check::force::ForceFinding> findings = check::force::findings_of(forces, checked.result, checked.setup);
+    check::force::ForceResult forces = check::force::forces_of(checked.result, checked.setup, job, m, planned);
+    std::vector<check::force::ForceFinding> findings =
+        check::force::findings_of(forces, checked.result, checked.setup, job);
     const report::cutting::ForceSubject subject{s.sources,
                                                 checked.result,
                                                 checked.setup,
+                                                job,
                                                 s.program,
                                                 s.control,
                                                 m != nullptr ? m->text : "",

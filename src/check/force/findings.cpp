@@ -4,12 +4,12 @@
 #include <map>
 #include <tuple>
 
-#include "base/codes.hpp"
 #include "base/number.hpp"
+#include "sim/cutting/codes.hpp"
 
 namespace obrys::check::force {
 
-namespace codes = base::codes;
+namespace codes = sim::cutting::codes;
 
 namespace {
 
@@ -47,19 +47,19 @@ private:
 
 std::string number(double v, int decimals) { return base::fixed(v, decimals); }
 
-void hold_to_machine(Lines& lines, const MoveForce& f, const shop::MachineSpindle& spindle) {
+void hold_to_machine(Lines& lines, const MoveForce& f, const shop::MachineSpindle& spindle,
+                     const std::optional<double>& torque) {
     constexpr double watts = 1000;
     if (spindle.power && f.power > watts * *spindle.power)
         lines.add(codes::spindle_power, f, f.power, watts * *spindle.power,
                   "takes " + number(f.power / watts, 2) + " kW, and the spindle has " + base::shortest(*spindle.power) +
                       " kW");
-    if (spindle.torque && f.torque > *spindle.torque)
-        lines.add(
-            codes::spindle_torque, f, f.torque, *spindle.torque,
-            "takes " + number(f.torque, 1) + " Nm, and the spindle has " + base::shortest(*spindle.torque) + " Nm");
+    if (torque && f.torque > *torque)
+        lines.add(codes::spindle_torque, f, f.torque, *torque,
+                  "takes " + number(f.torque, 1) + " Nm, and the spindle has " + base::shortest(*torque) + " Nm");
 }
 
-void hold_to_tool(Lines& lines, const MoveForce& f, const shop::Tool& t) {
+void hold_to_tool(Lines& lines, const MoveForce& f, const shop::ToolUseData& t) {
     constexpr double rounding = 0.01;  // of data in a list
     const std::string name = "tool " + std::to_string(t.number);
     if (t.feed_per_tooth && f.programmed_per_tooth < (*t.feed_per_tooth)[0] * (1 - rounding))
@@ -80,10 +80,10 @@ void hold_to_tool(Lines& lines, const MoveForce& f, const shop::Tool& t) {
 }
 
 /// A speed that is too low at the tool's whole radius.
-void hold_to_least_speed(Lines& lines, const MoveForce& f, const shop::Tool& t, double rpm) {
+void hold_to_least_speed(Lines& lines, const MoveForce& f, const shop::ToolUseData& t, double radius, double rpm) {
     if (!t.cutting_speed || !(rpm > 0)) return;
     constexpr double rounding = 0.01, metres = 1e-3;
-    const double fastest = metres * 2 * geom::pi * t.radius * rpm, least = (*t.cutting_speed)[0];
+    const double fastest = metres * 2 * geom::pi * radius * rpm, least = (*t.cutting_speed)[0];
     if (fastest < least * (1 - rounding))
         lines.add(codes::feed_differs, f, fastest, least,
                   number(fastest, 0) + " m/min at its whole diameter, and tool " + std::to_string(t.number) +
@@ -92,16 +92,18 @@ void hold_to_least_speed(Lines& lines, const MoveForce& f, const shop::Tool& t, 
 
 }  // namespace
 
-std::vector<ForceFinding> findings_of(const ForceResult& forces, const Result& result, const Setup& setup) {
+std::vector<ForceFinding> findings_of(const ForceResult& forces, const Result& result, const Setup& setup,
+                                      const shop::CuttingJob& job) {
     Lines lines(*result.milled);
     for (const MoveForce& f : forces.moves) {
         if (f.gap != Gap::none) continue;
         const MilledMove& m = result.milled->moves[f.move];
-        hold_to_machine(lines, f, setup.machine.spindle);
-        const auto& use = result.tools[m.tool - 1];
-        if (!use.listed) continue;
-        hold_to_tool(lines, f, setup.tools[*use.listed]);
-        hold_to_least_speed(lines, f, setup.tools[*use.listed], m.speed_rpm);
+        hold_to_machine(lines, f, setup.machine.spindle, job.spindle_torque);
+        const ToolUse& tool = result.tools[m.tool - 1];
+        const shop::ToolUseData* use = find_use(job, tool.number);
+        if (use == nullptr || !tool.listed) continue;
+        hold_to_tool(lines, f, *use);
+        hold_to_least_speed(lines, f, *use, setup.tools[*tool.listed].radius, m.speed_rpm);
     }
     return std::move(lines).all();
 }

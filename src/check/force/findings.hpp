@@ -17,7 +17,7 @@ struct ForceFinding {
     std::uint64_t moves = 1;  ///< of the line that have it
 };
 
-[[nodiscard]] std::vector<ForceFinding> findings_of(const ForceResult& forces, const Result& result,
-                                                    const Setup& setup);
+[[nodiscard]] std::vector<ForceFinding> findings_of(const ForceResult& forces, const Result& result, const Setup& setup,
+                                                    const shop::CuttingJob& job);
 
 }  // namespace obrys::check::force

@@ -22,8 +22,8 @@ constexpr double newton_metres = 1e-3, minute = 60, metres = 1e-3;
 constexpr double high_speed_steel = 210e3, carbide = 600e3;  ///< N/mm2
 
 /// As tool lists and tool tables name the edge's material.
-std::optional<double> elasticity_of(const shop::Tool& t) {
-    if (t.elasticity) return t.elasticity;
+std::optional<double> elasticity_of(const shop::Tool& t, const shop::CuttingJob& job) {
+    if (const auto* use = find_use(job, t.number); use != nullptr && use->elasticity) return use->elasticity;
     const std::string name = base::to_upper(t.cutter_material);
     if (name.starts_with("HSS")) return high_speed_steel;
     if (name == "HM" || name == "VHM" || name == "CARBIDE" || name.starts_with("HARTMETALL")) return carbide;
@@ -31,8 +31,8 @@ std::optional<double> elasticity_of(const shop::Tool& t) {
 }
 
 /// From the holder to the tip.
-std::optional<double> stick_out(const shop::Tool& t) {
-    if (t.stick_out) return t.stick_out;
+std::optional<double> stick_out(const shop::Tool& t, const shop::CuttingJob& job) {
+    if (const auto* use = find_use(job, t.number); use != nullptr && use->stick_out) return use->stick_out;
     if (!t.shank.empty() && t.cutting_length) return *t.cutting_length + shop::height_of(t.shank);
     if (!t.holder.empty() && t.length >= shop::least_gauge_length) {
         const double rest = t.length - shop::height_of(t.holder);
@@ -42,9 +42,9 @@ std::optional<double> stick_out(const shop::Tool& t) {
 }
 
 /// N/mm at the tip; NaN: not known.
-double stiffness_of(const shop::Tool& t) {
-    const auto length = stick_out(t);
-    const auto elasticity = elasticity_of(t);
+double stiffness_of(const shop::Tool& t, const shop::CuttingJob& job) {
+    const auto length = stick_out(t, job);
+    const auto elasticity = elasticity_of(t, job);
     if (!length || !elasticity || !(t.radius > 0)) return NAN;
     sim::force::ToolBeam beam;
     beam.diameter = 2 * t.radius;
@@ -59,26 +59,42 @@ bool drills(shop::ToolKind kind) {
            kind == shop::ToolKind::countersink || kind == shop::ToolKind::reamer;
 }
 
+/// The tool, with as many teeth as its list or the job says.
+shop::Tool toothed(const shop::Tool* t, const shop::CuttingJob& job) {
+    if (t == nullptr) return {};
+    shop::Tool tool = *t;
+    if (const auto* use = find_use(job, tool.number); use != nullptr && use->teeth) tool.teeth = *use->teeth;
+    return tool;
+}
+
+double helix_of(const shop::Tool& t, const shop::CuttingJob& job) {
+    const auto* use = find_use(job, t.number);
+    return use != nullptr ? geom::radians(use->helix.value_or(0)) : 0;
+}
+
 /// A tool as forces need it.
 struct Knife {
-    const shop::Tool* tool = nullptr;
+    bool listed = false;
+    shop::Tool tool;
     CuttingEdges edges;
     Edges shape;
     double stiffness = NAN;
-    explicit Knife(const shop::Tool* t)
-        : tool(t),
-          edges(t != nullptr ? *t : shop::Tool{}),
-          shape(t != nullptr ? edges_of(*t) : Edges{}),
-          stiffness(t != nullptr ? stiffness_of(*t) : NAN) {}
+    Knife(const shop::Tool* t, const shop::CuttingJob& job)
+        : listed(t != nullptr),
+          tool(toothed(t, job)),
+          edges(tool),
+          shape(listed ? edges_of(tool, helix_of(tool, job)) : Edges{}),
+          stiffness(listed ? stiffness_of(tool, job) : NAN) {}
 };
 
 class Computer {
 public:
-    Computer(const Result& result, const Setup& setup, const shop::WorkMaterial* material)
+    Computer(const Result& result, const Setup& setup, const shop::CuttingJob& job, const shop::WorkMaterial* material)
         : milled_(*result.milled), material_(material) {
         const geom::Vec3 step = milled_.figures.step;
         rays_ = std::max({step.x, step.y, step.z});
-        for (const ToolUse& use : result.tools) knives_.emplace_back(use.listed ? &setup.tools[*use.listed] : nullptr);
+        for (const ToolUse& use : result.tools)
+            knives_.emplace_back(use.listed ? &setup.tools[*use.listed] : nullptr, job);
     }
 
     [[nodiscard]] MoveForce of(std::size_t index, double planned) const {
@@ -92,10 +108,10 @@ public:
         f.programmed_per_tooth = e.feed_per_tooth;
         f.feed_per_tooth = e.feed_per_tooth * planned;
         const bool all_round = std::abs(m.sinking) > 1 - 1e-9;
-        if (k.tool->kind == shop::ToolKind::tap)
-            tap(f, m, *k.tool);
-        else if (all_round && drills(k.tool->kind))
-            drill(f, m, *k.tool);
+        if (k.tool.kind == shop::ToolKind::tap)
+            tap(f, m, k.tool);
+        else if (all_round && drills(k.tool.kind))
+            drill(f, m, k.tool);
         else
             mill(f, m, k, e, all_round);
         return f;
@@ -104,9 +120,9 @@ public:
 private:
     [[nodiscard]] Gap gap_of(const MilledMove& m) const {
         if (material_ == nullptr) return Gap::material;
-        if (m.tool == 0 || knives_[m.tool - 1].tool == nullptr || knives_[m.tool - 1].shape.shape.pieces.empty())
+        if (m.tool == 0 || !knives_[m.tool - 1].listed || knives_[m.tool - 1].shape.shape.pieces.empty())
             return Gap::tool;
-        if (knives_[m.tool - 1].tool->teeth <= 0) return Gap::teeth;
+        if (knives_[m.tool - 1].tool.teeth <= 0) return Gap::teeth;
         if (!(m.speed_rpm > 0)) return Gap::spindle;
         if (!(m.feed_per_rev_mm > 0)) return Gap::feed;
         return Gap::none;
@@ -160,7 +176,7 @@ private:
         const Engaged in = engaged(k.shape, met);
         const sim::force::Feed feed{f.feed_per_tooth * met.way.side, f.feed_per_tooth * met.way.down};
         const cutting::Law law = law_of(f, f.feed_per_tooth * e.chip_mean / e.feed_per_tooth);
-        const sim::force::Forces sum = sim::force::forces(in.rings, k.tool->teeth, feed, law, places);
+        const sim::force::Forces sum = sim::force::forces(in.rings, k.tool.teeth, feed, law, places);
         if (!(sum.engaged > 0)) {
             f.gap = Gap::engagement;
             return;
@@ -197,16 +213,16 @@ std::string_view text_of(Gap gap) {
     return "";
 }
 
-std::string deflection_gap(const shop::Tool& t) {
-    if (!stick_out(t)) return "stick_out (how far it stands out of its holder)";
-    if (!elasticity_of(t)) return "elasticity (HSS 210000, carbide 600000 N/mm2)";
+std::string deflection_gap(const shop::Tool& t, const shop::CuttingJob& job) {
+    if (!stick_out(t, job)) return "stick_out (how far it stands out of its holder)";
+    if (!elasticity_of(t, job)) return "elasticity (HSS 210000, carbide 600000 N/mm2)";
     return "";
 }
 
-ForceResult forces_of(const Result& result, const Setup& setup, const shop::WorkMaterial* material,
-                      const std::vector<double>& planned) {
+ForceResult forces_of(const Result& result, const Setup& setup, const shop::CuttingJob& job,
+                      const shop::WorkMaterial* material, const std::vector<double>& planned) {
     ForceResult out;
-    const Computer computer(result, setup, material);
+    const Computer computer(result, setup, job, material);
     const std::vector<MilledMove>& moves = result.milled->moves;
     std::vector<std::size_t> cuts;
     for (std::size_t i = 0; i < moves.size(); ++i)

@@ -10,6 +10,7 @@
 
 #include "check/result.hpp"
 #include "check/setup.hpp"
+#include "shop/cutting.hpp"
 #include "shop/material.hpp"
 
 namespace obrys::check::force {
@@ -34,7 +35,7 @@ struct MoveForce {
 };
 
 /// What of a tool is not known that its deflection needs; empty: all is.
-[[nodiscard]] std::string deflection_gap(const shop::Tool& tool);
+[[nodiscard]] std::string deflection_gap(const shop::Tool& tool, const shop::CuttingJob& job);
 
 struct ForceResult {
     std::vector<MoveForce> moves;  ///< those that cut, in the order of the program
@@ -44,7 +45,8 @@ struct ForceResult {
 
 /// `planned`: part of its programmed feed that each of `result.milled->moves` goes at in the mean, 1 where nobody
 /// knows.
-[[nodiscard]] ForceResult forces_of(const Result& result, const Setup& setup, const shop::WorkMaterial* material,
-                                    const std::vector<double>& planned);
+/// `material` null: not known.
+[[nodiscard]] ForceResult forces_of(const Result& result, const Setup& setup, const shop::CuttingJob& job,
+                                    const shop::WorkMaterial* material, const std::vector<double>& planned);
 
 }  // namespace obrys::check::force

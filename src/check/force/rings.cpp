@@ -95,11 +95,11 @@ double width_of(std::vector<Ring>& rings, const Met& met, bool left, double wide
 
 }  // namespace
 
-Edges edges_of(const shop::Tool& tool) {
+Edges edges_of(const shop::Tool& tool, double helix) {
     Edges e;
     milling::MadeShape made = milling::shape_of(cutter_of(tool));
     if (made.ok()) e.shape = std::move(made.shape.cutting);
-    e.helix = geom::radians(tool.helix.value_or(0));
+    e.helix = helix;
     return e;
 }
 

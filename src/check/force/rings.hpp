@@ -15,7 +15,7 @@ struct Edges {
     sim::milling::Shape shape;
     double helix = 0;  ///< radians
 };
-[[nodiscard]] Edges edges_of(const shop::Tool& tool);
+[[nodiscard]] Edges edges_of(const shop::Tool& tool, double helix);
 
 /// Where beside the way the tool was in material: from the right to the left of it, mm, and how much of each mm of way
 /// was removed.

@@ -35,7 +35,7 @@ std::vector<std::string> item_names(const std::vector<CostColumn>& all) {
 }
 
 template <typename Text>
-void put(std::string& out, const std::vector<CostColumn>& all, const std::string& name, Text text) {
+void put_row(std::string& out, const std::vector<CostColumn>& all, const std::string& name, Text text) {
     out += padded(name, names);
     for (const CostColumn& c : all) out += " " + padded(text(c), columns, true);
     out.erase(out.find_last_not_of(' ') + 1);
@@ -62,21 +62,21 @@ std::string as_text(const std::vector<CostColumn>& all) {
     const std::string currency = all.front().variant.table.currency;
     const bool titles = all.size() > 1 || !all.front().variant.name.empty();
     std::size_t at = 0;
-    if (titles) put(out, all, currency, [&](const CostColumn& c) { return title(c, at++, all.size()); });
-    put(out, all, "time of a piece",
-        [](const CostColumn& c) { return c.seconds ? base::fixed(*c.seconds, 1) + " s" : std::string("?"); });
+    if (titles) put_row(out, all, currency, [&](const CostColumn& c) { return title(c, at++, all.size()); });
+    put_row(out, all, "time of a piece",
+            [](const CostColumn& c) { return c.seconds ? base::fixed(*c.seconds, 1) + " s" : std::string("?"); });
     for (const std::string& name : item_names(all))
-        put(out, all, "  " + name, [&](const CostColumn& c) { return money(item(c, name)); });
+        put_row(out, all, "  " + name, [&](const CostColumn& c) { return money(item(c, name)); });
     const auto total = [&](const char* name, auto value) {
         const auto some = [&](const CostColumn& c) { return c.cost && value(*c.cost).has_value(); };
         if (std::any_of(all.begin(), all.end(), some))
-            put(out, all, name, [&](const CostColumn& c) { return c.cost ? money(value(*c.cost)) : "?"; });
+            put_row(out, all, name, [&](const CostColumn& c) { return c.cost ? money(value(*c.cost)) : "?"; });
     };
     total("a piece", [](const sim::cost::Cost& c) { return std::optional<double>(c.per_piece); });
     total("a batch", [](const sim::cost::Cost& c) { return c.per_batch; });
     total("a year", [](const sim::cost::Cost& c) { return c.per_year; });
     if (all.size() > 1)
-        put(out, all, "against the first", [&](const CostColumn& c) {
+        put_row(out, all, "against the first", [&](const CostColumn& c) {
             if (!c.cost || !all.front().cost) return std::string("?");
             const double more = c.cost->per_piece - all.front().cost->per_piece;
             return (more > 0 ? "+" : "") + base::fixed(100 * more / all.front().cost->per_piece, 1) + " %";

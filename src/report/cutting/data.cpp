@@ -4,7 +4,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "base/codes.hpp"
 #include "base/number.hpp"
 #include "report/cutting/rows.hpp"
 
@@ -106,7 +105,7 @@ std::string as_text(const DataSubject& s) {
     for (const std::string& key : s.data.clamped_by) out += "held by the machine: " + key + "\n";
     if (s.data.impossible) out += "the spindle does not turn so slowly that its power would do\n";
     for (const auto& d : s.data.differences)
-        out += difference_text(s.asked, d) + " [" + std::string(base::codes::feed_differs) + "]\n";
+        out += difference_text(s.asked, d) + " [" + std::string(sim::cutting::codes::feed_differs) + "]\n";
     return out;
 }
 
@@ -129,7 +128,7 @@ std::string as_json(const DataSubject& s) {
     out["possible"] = !d.impossible;
     out["findings"] = OrderedJson::array();
     for (const auto& f : d.differences)
-        out["findings"].push_back({{"code", base::codes::feed_differs},
+        out["findings"].push_back({{"code", sim::cutting::codes::feed_differs},
                                    {"value", words_of(f.value).key},
                                    {"given", f.given},
                                    {"computed", f.computed},

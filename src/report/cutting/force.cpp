@@ -94,15 +94,15 @@ std::vector<std::string> remarks(const ForceSubject& s) {
         if (!listed || !cuts) continue;
         const shop::Tool& t = s.setup.tools[*listed];
         const std::string name = tool_name(s, static_cast<std::uint32_t>(i + 1));
-        if (const std::string gap = check::force::deflection_gap(t); !gap.empty())
+        if (const std::string gap = check::force::deflection_gap(t, s.job); !gap.empty())
             all.push_back("deflection of " + name + ": its " + gap + " is not known");
-        if (!t.feed_per_tooth)
+        if (const auto* use = find_use(s.job, t.number); use == nullptr || !use->feed_per_tooth)
             all.push_back("whether chips are too thin or too thick for " + name + ": its feed_per_tooth is not known");
     }
     if (!s.setup.machine.spindle.power)
         all.emplace_back("whether the spindle has the power: the machine file does not say it");
-    if (!s.setup.machine.spindle.torque)
-        all.emplace_back("whether the spindle has the torque: the machine file does not say it");
+    if (!s.job.spindle_torque)
+        all.emplace_back("whether the spindle has the torque: spindle_torque of the job does not say it");
     return all;
 }
 

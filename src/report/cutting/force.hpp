@@ -14,6 +14,7 @@ struct ForceSubject {
     const base::Sources& sources;
     const check::Result& result;
     const check::Setup& setup;
+    const shop::CuttingJob& job;
     std::string name, control;
     std::string material;                ///< for people; empty: not known
     std::vector<std::string> not_whole;  ///< why it is not all of the program

@@ -11,7 +11,7 @@ namespace {
 
 using Kind = BladeForm::Kind;
 
-double needed(Section& s, std::string_view key) {
+double size_of(Section& s, std::string_view key) {
     if (!s.has(key)) s.missing(key);
     return s.number(key, Range::positive).value_or(0);
 }
@@ -27,8 +27,8 @@ BladeForm width_of(Section& s) {
     if (e != nullptr && e->value.kind == ValueKind::table) {
         s.take("width");
         Section ends(e->value, "'width'", s.diagnostics());
-        form.root = needed(ends, "root");
-        form.tip = needed(ends, "tip");
+        form.root = size_of(ends, "root");
+        form.tip = size_of(ends, "tip");
         ends.finish();
     } else if (const auto width = s.number("width", Range::positive)) {
         form.root = form.tip = *width;
@@ -44,12 +44,12 @@ BladeForm read_form(const Entry& e, double length, base::Diagnostics& diagnostic
     if (const auto kind = s.choice("form", {"linear", "strength", "arc"}))
         form.kind = std::array{Kind::linear, Kind::strength, Kind::arc}[*kind];
     if (s.has("thickness")) {
-        form.root = form.tip = needed(s, "thickness");
+        form.root = form.tip = size_of(s, "thickness");
         if (s.has("root") || s.has("tip") || form.kind != Kind::linear)
             fault(s, "thickness", "'thickness' is that from root to tip: nothing else goes with it");
     } else {
-        form.root = needed(s, "root");
-        form.tip = needed(s, "tip");
+        form.root = size_of(s, "root");
+        form.tip = size_of(s, "tip");
     }
     if (const auto radius = s.number("radius")) {
         form.radius = *radius;
@@ -81,7 +81,7 @@ Stations read_stations(Section& file, double length) {
         if (v->kind != ValueKind::table) continue;
         if (!s.has("at")) s.missing("at");
         const double at = s.number("at", Range::not_negative).value_or(0);
-        const double width = needed(s, "width"), blank = needed(s, "blank"), finished = needed(s, "finished");
+        const double width = size_of(s, "width"), blank = size_of(s, "blank"), finished = size_of(s, "finished");
         s.finish();
         if (at <= last || at > length)
             fault(s, "at", "stations go from the root to the tip, each farther out than the one before");
@@ -116,7 +116,7 @@ void read_cut(Section& file, Blade& b) {
     const Entry* e = file.sub_table("cut");
     if (!e) return;
     Section s(e->value, "[cut]", file.diagnostics());
-    b.speed = needed(s, "speed");
+    b.speed = size_of(s, "speed");
     constexpr std::int64_t most = 1000;
     if (!s.has("teeth")) s.missing("teeth");
     if (const auto teeth = s.integer("teeth", 1, most)) b.teeth = static_cast<int>(*teeth);
@@ -126,15 +126,15 @@ void read_cut(Section& file, Blade& b) {
     s.finish();
 }
 
-void read_material(Section& s, Blade& b) {
+void read_stuff(Section& s, Blade& b) {
     if (const Entry* e = find(s.table(), "material")) {
         b.material_where = e->value.where;
         b.material = s.text("material").value_or("");
         if (s.has("E") || s.has("density"))
             fault(s, s.has("E") ? "E" : "density", "the material says it already", "leave out 'material' or this");
     } else {
-        b.elasticity = needed(s, "E");
-        b.density = needed(s, "density");
+        b.elasticity = size_of(s, "E");
+        b.density = size_of(s, "density");
     }
 }
 
@@ -168,8 +168,8 @@ Blade read_blade(std::uint32_t file, const base::Sources& sources, base::Diagnos
     Section s(*root, "the file of a blade", found);
     if (const Entry* e = s.sub_table("blade")) {
         Section t(e->value, "[blade]", found);
-        b.length = needed(t, "length");
-        read_material(t, b);
+        b.length = size_of(t, "length");
+        read_stuff(t, b);
         read_forms(s, t, b);
         b.bending_factor = t.number("bending_factor", Range::positive).value_or(1);
         b.root_stiffness = t.number("root_stiffness", Range::positive);

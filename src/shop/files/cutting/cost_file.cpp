@@ -14,7 +14,7 @@ void take(Section& s, std::string_view key, Range range, std::optional<double>& 
     if (const auto v = s.number(key, range)) value = *v;
 }
 
-void fault(Section& s, std::string_view key, const std::string& text, const std::string& remedy = {}) {
+void complain(Section& s, std::string_view key, const std::string& text, const std::string& remedy = {}) {
     s.error(base::codes::job_value, place(s, key), text, remedy);
 }
 
@@ -23,8 +23,9 @@ void read_figures(Section& s, CostTable& t) {
     if (auto currency = s.text("currency")) t.currency = *currency;
     take(s, "utilisation", Range::positive, t.utilisation);
     if (t.utilisation > 1) {
-        fault(s, "utilisation", "'utilisation' must be at most 1: the part of the paid time in which the machine works",
-              "0.95 for 95 %");
+        complain(s, "utilisation",
+                 "'utilisation' must be at most 1: the part of the paid time in which the machine works",
+                 "0.95 for 95 %");
         t.utilisation = 1;
     }
     take(s, "wage", Range::not_negative, t.wage);
@@ -41,20 +42,21 @@ void read_figures(Section& s, CostTable& t) {
     take(s, "scrap", Range::not_negative, t.scrap);
     constexpr double all = 100;
     if (t.scrap >= all) {
-        fault(s, "scrap", "'scrap' must be less than 100 %");
+        complain(s, "scrap", "'scrap' must be less than 100 %");
         t.scrap = 0;
     }
 }
 
-void check(Section& s, const CostTable& t) {
+void check_table(Section& s, const CostTable& t) {
     if (t.set_up_min > 0 && !t.batch)
-        fault(s, "set_up", "'set_up' is spent once a batch, and how many pieces a batch has is not said", "batch = 50");
+        complain(s, "set_up", "'set_up' is spent once a batch, and how many pieces a batch has is not said",
+                 "batch = 50");
     if ((t.fixture > 0 || t.programming > 0) && !t.pieces)
-        fault(s, t.fixture > 0 ? "fixture" : "programming", "what is spent in a year needs the pieces of a year",
-              "pieces = 1000");
+        complain(s, t.fixture > 0 ? "fixture" : "programming", "what is spent in a year needs the pieces of a year",
+                 "pieces = 1000");
 }
 
-std::vector<CostTool> read_tools(Section& s) {
+std::vector<CostTool> read_worn(Section& s) {
     std::vector<CostTool> all;
     for (const Value* v : s.tables("tool")) {
         Section t(*v, "[[tool]]", s.diagnostics());
@@ -88,11 +90,11 @@ CostVariant read_variant(const Value& v, const CostTable& common, base::Diagnost
     variant.time_s = s.number("time", Range::positive);
     variant.program = s.text("program").value_or("");
     read_figures(s, variant.table);
-    if (s.has("tool")) variant.table.tools = read_tools(s);
+    if (s.has("tool")) variant.table.tools = read_worn(s);
     s.finish();
-    check(s, variant.table);
+    check_table(s, variant.table);
     if (s.has("time") && s.has("program"))
-        fault(s, "program", "a variant has a 'time' or a 'program' that takes it, not both");
+        complain(s, "program", "a variant has a 'time' or a 'program' that takes it, not both");
     return variant;
 }
 
@@ -108,9 +110,9 @@ std::vector<CostVariant> read_costs(std::uint32_t file, const base::Sources& sou
     if (const Entry* e = s.sub_table("cost")) {
         Section c(e->value, "[cost]", found);
         read_figures(c, table);
-        table.tools = read_tools(c);
+        table.tools = read_worn(c);
         c.finish();
-        check(c, table);
+        check_table(c, table);
         for (const std::string_view key : {"wage", "machine"})
             if (!c.has(key)) c.missing(key);
     } else if (!s.has("cost")) {

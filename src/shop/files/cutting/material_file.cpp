@@ -107,12 +107,8 @@ std::vector<WorkMaterial> read_materials(std::uint32_t file, const base::Sources
             if (m.kienzle || m.linear) all.push_back(std::move(m));
         }
     if (!s.has("material"))
-        found.add({base::Severity::error,
-                   base::codes::job_file,
-                   head(*root),
-                   "there is no material in this file",
-                   "[material.NAME], see docs/cutting-data.md",
-                   {}});
+        s.error(base::codes::job_file, head(*root), "there is no material in this file",
+                "[material.NAME], see docs/cutting-data.md");
     s.finish_file(diagnostics);
     return all;
 }

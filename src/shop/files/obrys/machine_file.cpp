@@ -79,7 +79,6 @@ void read_spindle(Section& file, Machine& machine) {
     spindle.min = s.number("min", Range::not_negative).value_or(spindle.min);
     spindle.max = s.number("max", Range::positive).value_or(spindle.max);
     spindle.power = s.number("power", Range::positive);
-    spindle.torque = s.number("torque", Range::positive);
     s.finish();
     if (spindle.min <= spindle.max)
         machine.spindle = spindle;

@@ -28,9 +28,7 @@ constexpr std::array some_kinds{Key{"corner_radius", {bull_nose, t_slot, other, 
                                 Key{"pitch", {tap, form, other, other}},
                                 Key{"forming", {tap, other, other, other}},
                                 Key{"profile", {form, other, other, other}}};
-constexpr std::array all_kinds{"diameter",  "cutting_length", "teeth",          "plunges",
-                               "rotation",  "shank",          "holder",         "helix",
-                               "stick_out", "elasticity",     "feed_per_tooth", "cutting_speed"};
+constexpr std::array all_kinds{"diameter", "cutting_length", "teeth", "plunges", "rotation", "shank", "holder"};
 
 void foreign(const Section& s, std::string_view key, std::string_view kind) {
     if (const Entry* e = find(s.table(), key))
@@ -51,39 +49,6 @@ std::vector<ToolBody> read_bodies(Section& tool, std::string_view key) {
         if (diameter && length) out.push_back({*diameter, upper.value_or(*diameter), *length});
     }
     return out;
-}
-
-/// 'key = [least, most]'.
-std::optional<std::array<double, 2>> read_least_and_most(Section& s, std::string_view key) {
-    const Entry* e = s.take(key);
-    if (!e) return std::nullopt;
-    const std::string name = "'" + std::string(key) + "'";
-    if (e->value.kind != ValueKind::array || e->value.items.size() != 2) {
-        s.error(job_value, e->value.where, name + " must be an array of the least and the most");
-        return std::nullopt;
-    }
-    const auto least = finite_number(e->value.items[0], "the least of " + name, Range::positive, s.diagnostics());
-    const auto most = finite_number(e->value.items[1], "the most of " + name, Range::positive, s.diagnostics());
-    if (!least || !most) return std::nullopt;
-    if (*least > *most) {
-        s.error(job_value, e->value.where, name + " must begin with the least");
-        return std::nullopt;
-    }
-    return std::array{*least, *most};
-}
-
-/// For cutting forces.
-void read_force_keys(Section& s, Tool& t) {
-    t.helix = s.number("helix", Range::not_negative);
-    constexpr double upright = 90;
-    if (t.helix && *t.helix >= upright) {
-        s.error(job_value, place(s, "helix"), "'helix' must be less than 90 degrees");
-        t.helix.reset();
-    }
-    t.stick_out = s.number("stick_out", Range::positive);
-    t.elasticity = s.number("elasticity", Range::positive);
-    t.feed_per_tooth = read_least_and_most(s, "feed_per_tooth");
-    t.cutting_speed = read_least_and_most(s, "cutting_speed");
 }
 
 /// What the kind lets one leave out; said in docs/job-file.md.
@@ -120,7 +85,6 @@ void read_milling_keys(Section& s, Tool& t) {
     t.cutting_length = s.number("cutting_length", Range::positive);
     if (const auto n = s.integer("teeth", 1, 99)) t.teeth = static_cast<int>(*n);
     t.plunges = s.boolean("plunges");
-    read_force_keys(s, t);
     if (s.boolean("forming").value_or(false)) t.type = "FORMING TAP";  // as tables name one
     t.left_hand = s.choice("rotation", {"right", "left"}) == std::optional<std::size_t>(1);
     t.profile = read_form_profile(s);
