@@ -133,6 +133,7 @@ private:
     }
     [[nodiscard]] cutting::Law law_of(MoveForce& f, double chip) const {
         cutting::Law law = cutting::law_for(*material_, chip);
+        f.by_kienzle = law.ratios_assumed;
         f.extrapolated = chip < law.thinnest || chip > law.thickest;
         return law;
     }
@@ -233,11 +234,17 @@ ForceResult forces_of(const Result& result, const Setup& setup, const shop::Cutt
         for (std::size_t i = block * together; i < std::min(cuts.size(), (block + 1) * together); ++i)
             out.moves[i] = computer.of(cuts[i], planned[cuts[i]]);
     });
-    if (material != nullptr) {
-        const cutting::Law law = cutting::law_for(*material, out.moves.empty() ? 1 : out.moves.back().mean_chip);
-        out.law = law.name + " (" + law.source + ")";
-        out.ratios_assumed = law.ratios_assumed;
-    }
+    if (material == nullptr) return out;
+    const auto used = [&](bool kienzle) {
+        return std::any_of(out.moves.begin(), out.moves.end(),
+                           [&](const MoveForce& f) { return f.gap == Gap::none && f.by_kienzle == kienzle; });
+    };
+    const auto say = [&](const cutting::Law& law) {
+        out.laws.push_back(law.name + " (" + law.source + ")");
+        out.ratios_assumed = out.ratios_assumed || law.ratios_assumed;
+    };
+    if (material->kienzle && used(true)) say(cutting::kienzle_law(*material->kienzle));
+    if (material->linear && used(false)) say(cutting::linear_law(*material->linear));
     return out;
 }
 

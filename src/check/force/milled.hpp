@@ -31,6 +31,7 @@ struct MoveForce {
     double cutting_speed = NAN;          ///< m/min at the highest engaged place
     double chip = NAN, mean_chip = NAN;  ///< mm: largest, mean
     double edge_part = NAN;              ///< of the torque, what the edge takes whatever the chip
+    bool by_kienzle = false;             ///< else by the linear law
     bool extrapolated = false;           ///< chips that the material's law was not found for
 };
 
@@ -38,9 +39,9 @@ struct MoveForce {
 [[nodiscard]] std::string deflection_gap(const shop::Tool& tool, const shop::CuttingJob& job);
 
 struct ForceResult {
-    std::vector<MoveForce> moves;  ///< those that cut, in the order of the program
-    std::string law;               ///< of the last one: name and source
-    bool ratios_assumed = false;
+    std::vector<MoveForce> moves;   ///< those that cut, in the order of the program
+    std::vector<std::string> laws;  ///< name and source of those that were used
+    bool ratios_assumed = false;    ///< of one of them
 };
 
 /// `planned`: part of its programmed feed that each of `result.milled->moves` goes at in the mean, 1 where nobody

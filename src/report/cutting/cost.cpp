@@ -116,7 +116,8 @@ std::string as_json(const std::vector<CostColumn>& all) {
     OrderedJson out{{"format", "obrys-cost"}, {"version", 1}};
     const std::string& currency = all.front().variant.table.currency;
     out["currency"] = currency.empty() ? OrderedJson(nullptr) : OrderedJson(currency);
-    for (const auto& [key, value] : column_json(all.front()).items()) out[key] = value;
+    const OrderedJson first = column_json(all.front());
+    for (const auto& [key, value] : first.items()) out[key] = value;
     out["variants"] = OrderedJson::array();
     for (const CostColumn& c : all) out["variants"].push_back(column_json(c));
     return out.dump(2) + "\n";

@@ -42,6 +42,11 @@ bool applies(const Asked& a, Value v) {
     return true;
 }
 
+/// Is said to be not known; others that nobody gave are left out of the text.
+bool matters(Value v) {
+    return v == Value::cutting_speed || v == Value::speed || v == Value::feed_per_tooth || v == Value::feed;
+}
+
 std::string name_of(const Asked& a, const Words& w) {
     if (a.process == Process::turning && w.value == Value::feed_per_tooth) return "feed per revolution";
     return w.name;
@@ -94,7 +99,7 @@ std::string as_text(const DataSubject& s) {
     if (!s.machine.empty()) out += " on " + s.machine;
     out += "\n";
     for (const Words& w : words)
-        if (applies(s.asked, w.value))
+        if (applies(s.asked, w.value) && (std::isfinite(s.data[w.value]) || matters(w.value)))
             out += row(name_of(s.asked, w), figure(s.data[w.value]), w.unit, remark(s, w.value));
     if (std::isfinite(s.data.thickest_chip)) out += row("thickest chip", figure(s.data.thickest_chip), "mm");
     put_force(out, s);

@@ -172,7 +172,7 @@ std::string as_text(const ForceSubject& s, const ForceOptions& options) {
     put_tools(out, s);
     put_lines(out, s, options.lines);
     out += "\n";
-    if (!s.forces.law.empty()) out += "law of force: " + s.forces.law + "\n";
+    for (const std::string& law : s.forces.laws) out += "law of force: " + law + "\n";
     if (s.forces.ratios_assumed) out += "assumed: radial force 0.6, axial force 0.2 of the tangential one\n";
     if (const std::uint64_t n = extrapolated(s); n > 0)
         out += std::to_string(n) + " moves make chips that the law was not found for [force-extrapolated]\n";
@@ -217,7 +217,7 @@ std::string as_json(const ForceSubject& s) {
     OrderedJson out{{"format", "obrys-force"}, {"version", 1}, {"program", s.name}, {"control", s.control}};
     out["machine"] = s.setup.machine.name;
     out["material"] = s.material.empty() ? OrderedJson(nullptr) : OrderedJson(s.material);
-    out["law"] = s.forces.law.empty() ? OrderedJson(nullptr) : OrderedJson(s.forces.law);
+    out["laws"] = s.forces.laws;
     out["complete"] = is_whole(s);
     out["not_whole"] = gap_texts(s);
     out["not_known"] = remarks(s);
