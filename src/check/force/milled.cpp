@@ -202,9 +202,10 @@ private:
 
 std::string_view text_of(Gap gap) {
     switch (gap) {
-        case Gap::material: return "the material of the workpiece is not known";
+        case Gap::material: return "the material of the workpiece is not known ('material' of the job, or --material)";
         case Gap::tool: return "the tool is not listed, or its dimensions make no shape";
-        case Gap::teeth: return "how many teeth (flutes) the tool has is not known";
+        case Gap::teeth:
+            return "how many teeth (flutes) it has is not known ('teeth' of the tool, or of its [[cutting]])";
         case Gap::spindle: return "the spindle's speed is not known, or it stands";
         case Gap::feed: return "the feed is not known";
         case Gap::engagement:

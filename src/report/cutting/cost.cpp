@@ -65,6 +65,9 @@ std::string as_text(const std::vector<CostColumn>& all) {
     if (titles) put_row(out, all, currency, [&](const CostColumn& c) { return title(c, at++, all.size()); });
     put_row(out, all, "time of a piece",
             [](const CostColumn& c) { return c.seconds ? base::fixed(*c.seconds, 1) + " s" : std::string("?"); });
+    const auto estimated = [](const CostColumn& c) { return c.seconds && c.time_from != "given"; };
+    if (std::any_of(all.begin(), all.end(), estimated))
+        put_row(out, all, "  estimated of", [&](const CostColumn& c) { return estimated(c) ? c.time_from : ""; });
     for (const std::string& name : item_names(all))
         put_row(out, all, "  " + name, [&](const CostColumn& c) { return money(item(c, name)); });
     const auto total = [&](const char* name, auto value) {

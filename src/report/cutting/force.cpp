@@ -175,7 +175,8 @@ std::string as_text(const ForceSubject& s, const ForceOptions& options) {
     for (const std::string& law : s.forces.laws) out += "law of force: " + law + "\n";
     if (s.forces.ratios_assumed) out += "assumed: radial force 0.6, axial force 0.2 of the tangential one\n";
     if (const std::uint64_t n = extrapolated(s); n > 0)
-        out += std::to_string(n) + " moves make chips that the law was not found for [force-extrapolated]\n";
+        out += std::to_string(n) + (n == 1 ? " move makes chips" : " moves make chips") +
+               " that the law was not found for [force-extrapolated]\n";
     out += s.feed_is_programmed ? "feeds are the programmed ones: how fast the machine really goes is not known\n"
                                 : "feeds are the mean ones of each line, as obrys time plans them\n";
     for (const std::string& remark : remarks(s)) out += "not known: " + remark + "\n";

@@ -35,7 +35,11 @@ std::string row(const std::string& name, const std::string& value, const std::st
 }
 
 nlohmann::ordered_json number(double value) {
-    return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
+    if (!std::isfinite(value)) return nullptr;
+    if (value == 0) return 0.0;
+    constexpr int digits = 12;  // the rest is how a sum was made
+    const double unit = std::pow(10.0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    return std::isfinite(unit) && unit > 0 ? std::round(value * unit) / unit : value;
 }
 
 }  // namespace obrys::report::cutting

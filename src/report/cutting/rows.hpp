@@ -13,7 +13,7 @@ namespace obrys::report::cutting {
                               const std::string& remark = {});
 /// Width characters at least; `right`: blanks in front.
 [[nodiscard]] std::string padded(std::string text, std::size_t width, bool right = false);
-/// As JSON has it: null where it is not known.
+/// As JSON has it, to twelve digits: null where it is not known.
 [[nodiscard]] nlohmann::ordered_json number(double value);
 
 }  // namespace obrys::report::cutting
