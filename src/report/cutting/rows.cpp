@@ -5,13 +5,24 @@
 #include <nlohmann/json.hpp>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::report::cutting {
+
+namespace {
+
+/// Digits before the point; below 0 for noughts behind it. Of what is not 0.
+int places_before(double value) {
+    constexpr int most = 400;
+    return base::clipped<int>(std::floor(std::log10(std::abs(value))), -most, most) + 1;
+}
+
+}  // namespace
 
 std::string figure(double value, int digits) {
     if (!std::isfinite(value)) return "?";
     if (value == 0) return "0";
-    const int before = static_cast<int>(std::floor(std::log10(std::abs(value)))) + 1;
+    const int before = places_before(value);
     std::string text = base::fixed(value, std::clamp(digits - before, 0, 9));
     if (text.find('.') == std::string::npos) return text;
     while (text.back() == '0') text.pop_back();
@@ -38,7 +49,7 @@ nlohmann::ordered_json number(double value) {
     if (!std::isfinite(value)) return nullptr;
     if (value == 0) return 0.0;
     constexpr int digits = 12;  // the rest is how a sum was made
-    const double unit = std::pow(10.0, digits - 1 - static_cast<int>(std::floor(std::log10(std::abs(value)))));
+    const double unit = std::pow(10.0, digits - places_before(value));
     return std::isfinite(unit) && unit > 0 ? std::round(value * unit) / unit : value;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
 #include "geom/vec.hpp"
 
 namespace obrys::sim::beam {
@@ -60,9 +61,10 @@ std::vector<double> nodes_of(const Beam& beam, int elements) {
         if (b > ends.back() + same * beam.length && b < beam.length * (1 - same)) ends.push_back(b);
     ends.push_back(beam.length);
     std::vector<double> nodes{0};
+    constexpr int most_parts = 10'000;
     for (std::size_t i = 1; i < ends.size(); ++i) {
         const double span = ends[i] - ends[i - 1];
-        const int parts = std::max(1, static_cast<int>(std::lround(elements * span / beam.length)));
+        const int parts = base::clipped<int>(std::round(elements * span / beam.length), 1, most_parts);
         for (int k = 1; k <= parts; ++k) nodes.push_back(ends[i - 1] + span * k / parts);
     }
     return nodes;

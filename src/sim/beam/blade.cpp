@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
 #include "sim/beam/beam.hpp"
 
 namespace obrys::sim::beam {
@@ -99,7 +100,7 @@ Stage stage_of(const shop::Blade& b, double finished, int elements) {
 Excitation excitation(double speed, int teeth, double natural, double damping) {
     Excitation e;
     e.tooth_passing = speed * teeth / minute;
-    e.harmonic = std::max(1, static_cast<int>(std::lround(natural / e.tooth_passing)));
+    e.harmonic = base::clipped<int>(std::round(natural / e.tooth_passing), 1, 1'000'000);
     e.ratio = natural / (e.harmonic * e.tooth_passing);
     const double r = 1 / e.ratio;
     e.amplification = 1 / std::hypot(1 - r * r, 2 * damping * r);
