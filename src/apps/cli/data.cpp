@@ -33,6 +33,10 @@ std::string fault_of(const CuttingArguments& c) {
     if (!given) return "nothing is given: obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05";
     if ((c.kind == "bull-nose") != (s.corner_radius > 0))
         return "--corner-radius belongs to --kind bull-nose, and that needs it";
+    if (c.kind == "turning" && std::isfinite(s[Value::teeth]))
+        return "--teeth means nothing for --kind turning: its feed is that of a revolution";
+    if (c.kind != "ball" && c.kind != "bull-nose" && std::isfinite(s[Value::effective_diameter]))
+        return "--d-eff is that of a round mill: --kind ball or bull-nose";
     const double diameter = s[Value::diameter];
     if (diameter < 2 * s.corner_radius) return "--corner-radius must not be more than half of --diameter";
     if (c.kind == "ball" && s[Value::depth] > diameter / 2)
