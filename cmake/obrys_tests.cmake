@@ -11,6 +11,23 @@ function(obrys_unit_tests folder)
   # Their own sources take half the time; what they test stays as it is shipped.
   target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
   target_compile_definitions(test_${name} PRIVATE OBRYS_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(OBRYS_SANITIZE)
+    obrys_shards(${folder} test_${name} ${ARGN})
+    return()
+  endif()
   gtest_discover_tests(test_${name} TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60
     PROPERTIES ENVIRONMENT "RC_PARAMS=seed=20261121")
+endfunction()
+
+# obrys_shards(<folder> <target> <file>...): a program's tests in as many runs as it has four files of them. Under the
+# sanitizers a start takes longer than most tests.
+function(obrys_shards folder target)
+  list(LENGTH ARGN files)
+  math(EXPR shards "1 + ${files} / 4")
+  math(EXPR last "${shards} - 1")
+  foreach(shard RANGE ${last})
+    add_test(NAME ${folder}.${shard} COMMAND ${target})
+    set_tests_properties(${folder}.${shard} PROPERTIES TIMEOUT 3600
+      ENVIRONMENT "RC_PARAMS=seed=20261121;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${shard}")
+  endforeach()
 endfunction()

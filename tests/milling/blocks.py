@@ -214,7 +214,10 @@ class Block:
             t = lean(25)
             planes.append(((nx * math.cos(t), ny * math.cos(t), math.sin(t)), far * math.cos(t)))
         planes.append(((0.0, 0.0, -1.0), random.uniform(30, 40)))
-        return Block(planes)
+        block = Block(planes)
+        # A top that leans far may cut through the bottom: such a body crosses itself.
+        inside = all(dot(n, p) < d + 1e-6 for n, d in planes for p in block.low + block.high)
+        return block if inside else Block.any(random, slanted)
 
     def triangles(self):
         a, b = self.low, self.high

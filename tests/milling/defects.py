@@ -72,21 +72,24 @@ def main():
     parser.add_argument("--kinds", default=",".join(KINDS))
     parser.add_argument("--strict", action="store_true", help="depths to a tenth of the tolerance")
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for tolerance in [float(t) for t in options.tolerances.split(",")]:
         for kind in options.kinds.split(","):
-            complaints = 0
+            complaints, slowest = 0, 0.0
             for number in range(options.first, options.first + options.count):
                 mark = made(kind, options.seed, number, tolerance)
                 with jobs.folder_of(options.keep) as folder:
                     mark.program.write(folder, mark.stock, mark.part, mark.clamps, mark.check)
+                    began = jobs.used()
                     result = jobs.check(options.obrys, folder)
+                    slowest = max(slowest, jobs.used() - began)
                 wrong = wrong_with(mark, result, tolerance, options.strict)
                 if wrong:
                     complaints += 1
                     print(f"{tolerance} {kind} {number}: {wrong}: {mark.depth:.5f} deep, {mark.what}", flush=True)
-            print(f"tolerance {tolerance}, {kind}: {options.count} marks, {complaints} not judged as they are", flush=True)
+            print(f"tolerance {tolerance}, {kind}: {options.count} marks, {complaints} not judged as they are; the slowest took {slowest:.1f} s", flush=True)
             failed += complaints
     return 1 if failed else 0
 

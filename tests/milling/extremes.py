@@ -101,7 +101,7 @@ def judge(case, options):
     for scratches in (False, True):
         with jobs.folder_of(options.keep) as folder:
             guilty = case.write(folder, scratches)
-            result = jobs.check(options.obrys, folder, timeout=3000)
+            result = jobs.check(options.obrys, folder)
         if result["verdict"] in ("none", "not-fully-checked") and result["unchecked"]:
             wrong.append("not checked: " + "; ".join(u["message"][:200] for u in result["unchecked"][:3]))
             if result["verdict"] == "none":
@@ -129,6 +129,7 @@ def main():
     parser.add_argument("obrys")
     parser.add_argument("--only", default=",".join(CASES))
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for name in options.only.split(","):

@@ -1,7 +1,10 @@
 """What the scripts of this folder share: writing a job, having obrys check it, and a box as a mesh."""
+import argparse
 import contextlib
 import json
 import pathlib
+import resource
+import signal
 import subprocess
 import tempfile
 
@@ -47,10 +50,37 @@ def write(folder, lines, tools, stock, part=None, clamps=(), machine="mill-gener
     (folder / "p.job.toml").write_text("\n".join(text) + "\n")
 
 
-def check(obrys, folder, *arguments, timeout=600):
+class Bound(argparse.Action):
+    """--seconds: of the processor, not of the clock, so that a busy machine changes no result."""
+
+    most = 600
+
+    def __call__(self, parser, options, value, option=None):
+        Bound.most = value
+
+
+def add_bound(parser):
+    parser.add_argument("--seconds", type=int, action=Bound, help="of the processor for one program, then it counts as not judged")
+
+
+def bounded(command):
+    """Runs it for no more than so many seconds of the processor."""
+    most = Bound.most
+    return subprocess.run(command, capture_output=True, text=True,
+                          preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_CPU, (most, most + 5)))
+
+
+def used():
+    """Seconds of the processor that all programs took so far."""
+    use = resource.getrusage(resource.RUSAGE_CHILDREN)
+    return use.ru_utime + use.ru_stime
+
+
+def check(obrys, folder, *arguments):
     """The result as docs/report-json.md says; one that nothing was checked where there is none."""
-    done = subprocess.run([obrys, "check", "--format", "json", *arguments, str(folder / "p.job.toml")], capture_output=True,
-                          text=True, timeout=timeout)
+    done = bounded([obrys, "check", "--format", "json", *arguments, str(folder / "p.job.toml")])
+    if done.returncode == -signal.SIGXCPU:
+        return {"verdict": "none", "findings": [], "unchecked": [{"message": f"took more than {Bound.most} s of the processor"}]}
     try:
         return json.loads(done.stdout)
     except ValueError:

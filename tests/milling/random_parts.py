@@ -104,6 +104,7 @@ def main():
     parser.add_argument("--kind")
     parser.add_argument("--swivel", action="store_true")
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for tolerance in [float(t) for t in options.tolerances.split(",")]:

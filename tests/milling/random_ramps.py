@@ -110,6 +110,7 @@ def main():
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for number in range(options.first, options.first + options.count):

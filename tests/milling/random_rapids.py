@@ -72,6 +72,7 @@ def main():
     parser.add_argument("--count", type=int, default=100)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for number in range(options.count):

@@ -67,6 +67,7 @@ def main():
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--tolerances", default="0.05,0.01,0.002")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for tolerance in [float(t) for t in options.tolerances.split(",")]:

@@ -10,7 +10,6 @@ import argparse
 import math
 import random as randoms
 import re
-import subprocess
 import sys
 
 import jobs
@@ -93,9 +92,8 @@ def measured(options, program, stock, folder, seed):
     result = jobs.check(options.obrys, folder, "--force", "--stl", str(stl))
     if result["verdict"] == "none" or not stl.exists():
         return result["unchecked"][0]["message"] if result["unchecked"] else "no surface"
-    done = subprocess.run([options.exact, str(folder / "scene.txt"), str(stl), "--enough", str(options.tolerance * options.times),
-                           "--each", str(options.each), "--most", str(options.most), "--seed", str(seed)], capture_output=True,
-                          text=True, timeout=1200)
+    done = jobs.bounded([options.exact, str(folder / "scene.txt"), str(stl), "--enough", str(options.tolerance * options.times),
+                           "--each", str(options.each), "--most", str(options.most), "--seed", str(seed)])
     found = {m[1]: (float(m[2]), m[3]) for m in re.finditer(r"(\w+) ([\d.e+]+) at (\S+ \S+ \S+), beyond", done.stdout)}
     if len(found) != 3:
         return "exact/: " + done.stderr[-200:] + done.stdout[-200:]
@@ -118,6 +116,7 @@ def main():
     parser.add_argument("--plain", action="store_true", help="a few straight moves of round tools")
     parser.add_argument("--cases", help="these instead: seed.number,seed.number,...")
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed, worst, named, in_vain = 0, {}, 0, 0
     cases = [f"{options.seed}.{n}" for n in range(options.first, options.first + options.count)]

@@ -83,9 +83,9 @@ def rows():
             yield (f"V{angle} scratch at {tolerance}", scratch(0.15), [MILL, pointed(angle)], FACED, [], tolerance, "gouge", 0.15)
     yield "V90 scratch on a ray", scratch(0.03, 20, 20), [MILL, pointed(90)], FACED, [], 0.01, "gouge", 0.03
     yield "drill's point", scratch(0.1, 17.37, 17.9), [MILL, DRILL], FACED, [], 0.01, "gouge", 0.1
-    # As deep as the tool stands in the part, half of the leg; the edge itself lies 0.07 below the chamfer.
+    # As deep as the edge lies below the chamfer, at the ring where the cone ends; the tool stands half of the leg in the part.
     chamfer = facing() + change(2) + ["G0 X-10 Y-4.9", "G0 Z-6", "G1 X70"]
-    yield "unwanted chamfer", chamfer, [MILL, pointed(90)], FACED, [], 0.01, "gouge", (0.05, 0.071)
+    yield "unwanted chamfer", chamfer, [MILL, pointed(90)], FACED, [], 0.01, "gouge", 0.0707
     rapid = facing() + change(2) + ["G0 X10 Y17.37", "G0 Z-1.1", "G1 Z0"]
     yield "rapid between two rays", rapid, [MILL, pointed(90)], None, [], 0.01, "rapid-in-stock", 0.1
     for deep in (0.05, 0.1):
@@ -128,6 +128,7 @@ def main():
     parser = argparse.ArgumentParser()
     parser.add_argument("obrys")
     parser.add_argument("--keep")
+    jobs.add_bound(parser)
     options = parser.parse_args()
     failed = 0
     for row in rows():

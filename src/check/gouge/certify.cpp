@@ -76,7 +76,7 @@ void Certificate::carry_out() {
 bool Certificate::is_proved(const Suspect& s) const {
     const certify::Move move = move_of(s.queued);
     if (judge_.is_clear(move, proved * allowed_, certify::Judge::Of::part_in_stock)) return true;
-    return s.depth && judge_.is_thin(move, s.depth->normal);
+    return s.depth && (judge_.is_thin(move, s.depth->normal) || judge_.is_no_deeper(move, s.depth->normal));
 }
 
 /// To the end; the deeper of what was known and what is found stays.

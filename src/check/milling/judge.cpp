@@ -9,6 +9,7 @@
 #include "check/gouge/confirm.hpp"
 #include "check/gouge/filled.hpp"
 #include "check/gouge/thin.hpp"
+#include "check/gouge/unshown.hpp"
 #include "check/milling/milling.hpp"
 #include "check/milling_tool.hpp"
 #include "check/use_findings.hpp"
@@ -285,6 +286,7 @@ void Milling::judge_surface(Milled& milled) {
         setup_.out_of_time};
     machined.is_none = [&](const mesh::Place& p) { return certificate_->is_none(p); };
     confirm(*milled.comparison, machined, options);
+    drop_unfollowed(milled.comparison->excesses, refined->open, machined);
     add_thin(*milled.comparison, machined, options);
     if (whole_ && complete_) add_filled(*milled.comparison, machined, options);
     const std::vector<Gouge> gouges = certificate_->gouges(milled.moves, milled.comparison->gouges);

@@ -52,8 +52,17 @@ Milling::Reach Milling::ray_reach_of(const QueuedPass& pass) const {
     const milling::Engagement& met = met_by(pass);
     if (!met.touched) return {};
     const Reach reach{met.depth, met.deepest};
-    if (pass.kind == QueuedPass::Kind::rapid_probe)
-        return met.stack > reach.depth ? Reach{met.stack, met.stack_foot} : reach;
+    if (pass.kind == QueuedPass::Kind::rapid_probe) {
+        const milling::Simulation& in = pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation;
+        const milling::Stacks on_rays = in.stacks_of(pass.pass);
+        const std::optional<TipStack> tip =
+            pass.clamp == 0 && stock_guard_ ? stock_guard_->over_tip(pass.pass) : std::nullopt;
+        Reach stack{on_rays.to_tip.height, on_rays.to_tip.foot};
+        if (tip)
+            stack = tip->height > on_rays.seen.height ? Reach{tip->height, tip->foot}
+                                                      : Reach{on_rays.seen.height, on_rays.seen.foot};
+        return stack.depth > reach.depth ? stack : reach;
+    }
     const geom::Vec3 step =
         (pass.clamp == 0 ? *simulation_ : clamps_[pass.clamp - 1].simulation).dexels().lattice().step;
     const double wide = std::max({step.x, step.y, step.z});

@@ -27,6 +27,7 @@ constexpr std::size_t most_touching = 300;  ///< rapids that touch whose whole d
 constexpr std::size_t deepest_each = 4;     ///< of shanks and holders that touch, of each batch
 constexpr std::size_t deepest_in_all = 32;  ///< of them
 constexpr std::size_t most_refined = 1000;  ///< depths of clipped edges
+constexpr std::size_t most_tips = 1000;     ///< rapids whose tips are looked at
 
 }  // namespace
 
@@ -91,6 +92,29 @@ bool StockGuard::in_emptied(const StockPass& q, const milling::Simulation& simul
         if (!clear) return false;
     }
     return true;
+}
+
+/// Where a ray stands beside a point that goes into the material, on a slant it says more or less than there is.
+void StockGuard::look_over_tips(const milling::Simulation& simulation) {
+    std::vector<const StockPass*> looked;
+    for (const StockPass& q : queued_) {
+        const milling::Stacks met = simulation.stacks_of(q.number);
+        if (!q.body && met.to_tip.height > met.seen.height + least_ && over_tips_.size() + looked.size() < most_tips)
+            looked.push_back(&q);
+    }
+    if (looked.empty() || !simulation.stock_body().closed()) return;
+    std::vector<TipStack> found(looked.size());
+    for_all(looked.size(), threads_, [&](std::size_t i) {
+        const StockPass& q = *looked[i];
+        const milling::Shape& tool = simulation.tool(q.tool).cutting;
+        found[i] = highest_over_tip(simulation, {q.number, q.path, q.axis, {tool.bottom, tool.top}});
+    });
+    for (std::size_t i = 0; i < looked.size(); ++i) over_tips_[looked[i]->number] = found[i];
+}
+
+std::optional<TipStack> StockGuard::over_tip(std::uint32_t number) const {
+    const auto at = over_tips_.find(number);
+    return at == over_tips_.end() ? std::nullopt : std::optional(at->second);
 }
 
 /// Leaves what is neither clear nor touches, and the deepest of those that do.
@@ -170,6 +194,7 @@ StockHit StockGuard::refined(const StockPass& q, StockHit hit, const milling::Si
 }
 
 void StockGuard::carry_out(const milling::Simulation& simulation, const std::function<bool()>& stop) {
+    look_over_tips(simulation);
     sort_out(simulation);
     // Shank and holder of one move after the other are queued in turn.
     std::stable_sort(queued_.begin(), queued_.end(),

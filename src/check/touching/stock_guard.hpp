@@ -13,11 +13,13 @@
 #include <deque>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <vector>
 
 #include "check/left/stock_search.hpp"
 #include "check/touching/cleared.hpp"
+#include "check/touching/tip_stack.hpp"
 #include "sim/certify/certify.hpp"
 
 namespace obrys::check {
@@ -37,6 +39,8 @@ public:
     /// Judges what is queued and was carried out in the simulation, until it is told to stop.
     void carry_out(const sim::milling::Simulation& simulation, const std::function<bool()>& stop);
     [[nodiscard]] StockHit hit_by(std::uint32_t number) const;
+    /// Of a rapid beside whose tip rays stand: how high material stands over that; nothing where this does not matter.
+    [[nodiscard]] std::optional<TipStack> over_tip(std::uint32_t number) const;
     /// Whether it could not be decided, or was not looked at.
     [[nodiscard]] bool is_open(std::uint32_t number) const { return undecided_.contains(number); }
 
@@ -44,6 +48,7 @@ private:
     [[nodiscard]] bool in_emptied(const StockPass& q, const sim::milling::Simulation& simulation);
     [[nodiscard]] bool profile_is_clear(const StockPass& q, const Upright& way, const std::vector<geom::Vec2>& profile,
                                         int halvings);
+    void look_over_tips(const sim::milling::Simulation& simulation);
     void sort_out(const sim::milling::Simulation& simulation);
     void keep_deepest(std::vector<double> depths);
     [[nodiscard]] StockHit refined(const StockPass& q, StockHit hit, const sim::milling::Simulation& simulation) const;
@@ -58,6 +63,7 @@ private:
     std::deque<std::array<StockPart, 3>> tools_;  ///< of each what cuts, its shank, its holder
     std::vector<StockPass> queued_;
     std::map<std::uint32_t, StockHit> hits_;
+    std::map<std::uint32_t, TipStack> over_tips_;
     std::set<std::uint32_t> undecided_;
     std::size_t refined_ = 0, searched_bodies_ = 0, searched_rapids_ = 0, deepest_searched_ = 0, deep_rapids_ = 0,
                 touching_rapids_ = 0;

@@ -19,6 +19,7 @@
 #include "geom/interpolation.hpp"
 #include "mesh/distance.hpp"
 #include "sim/certify/body.hpp"
+#include "sim/certify/joined.hpp"
 
 namespace obrys::sim::certify {
 
@@ -73,6 +74,10 @@ public:
     /// nothing is deeper than half of what is allowed. `normal`: about that of the thin thing. Takes milliseconds;
     /// false where it would take too long.
     [[nodiscard]] bool is_thin(const Move& move, geom::Vec3 normal) const;
+    /// The same of moves that take a corner or an edge off: no place of the tool is deeper than allowed in the part,
+    /// and none of the part's surface by more than a twentieth deeper than that in the tool. `normal`: any of unit
+    /// length.
+    [[nodiscard]] bool is_no_deeper(const Move& move, geom::Vec3 normal) const;
     /// Of moves that are not clear; nothing where no place in the part was found. `from`: a place that is known to be
     /// deep, or near one. From several threads at once, like `is_clear`.
     [[nodiscard]] std::optional<Depth> deepest(const Move& move, std::optional<geom::Vec3> from = {}) const;
@@ -123,14 +128,16 @@ private:
     [[nodiscard]] double more_than(double depth) const;
     [[nodiscard]] Spot risen(const Piece& whole, Spot best, const Effort& effort) const;
     [[nodiscard]] Spot deepest_of(const std::vector<Piece>& pieces, Spot best, const Effort& effort) const;
-    [[nodiscard]] bool is_shallow(const Piece& whole, geom::Vec3 normal, std::size_t& cells) const;
-    [[nodiscard]] double edge_depth(const Swept& whole, double depth, double most) const;
+    [[nodiscard]] bool is_shallow(const Piece& whole, geom::Vec3 normal, double depth, std::size_t& cells) const;
+    [[nodiscard]] bool holds_surface(const Piece& whole, const std::vector<Joined>& joined, double depth) const;
+    using Core = std::function<Shape(double)>;  ///< what lies so deep in a body, or in those it stands on
+    [[nodiscard]] double edge_depth(const Swept& whole, const Core& core, double depth, double most) const;
     [[nodiscard]] double reach_along(const Swept& whole, geom::Vec3 from, geom::Vec3 direction, double most) const;
     [[nodiscard]] double through(const Spot& spot) const;
     [[nodiscard]] double through_any(const std::vector<Piece>& pieces, const Spot& best) const;
     [[nodiscard]] Spot climbed_from(const std::vector<Piece>& pieces, geom::Vec3 from) const;
     [[nodiscard]] static Depth at_spot(const Spot& spot);
-    void measure_edge(const std::vector<Piece>& pieces, const Spot& best, Depth& out) const;
+    void measure_edge(const Shape& shape, const std::vector<Piece>& pieces, const Spot& best, Depth& out) const;
 
     const mesh::Distance& part_;
     mesh::Box box_, stock_box_;

@@ -100,6 +100,33 @@ TEST(Certified, a_chamfer_that_nobody_wanted_is_said_of_the_edge) {
     EXPECT_NEAR(d->depth, 0.1 / std::sqrt(2), 0.002);
 }
 
+TEST(Certified, an_edge_at_the_ring_where_a_cone_ends_lies_as_deep_as_elsewhere) {
+    const Judge judge(plate(), 0.01);
+    // Its point lies so low that the shaft begins level with the plate's top, or a little above or below.
+    for (const double ring : {-0.03, -0.002, 0.0, 0.002, 0.03}) {
+        const double leg = 0.1 - std::max(0.0, ring);
+        const auto d = found_in(judge, cone(5, 90), {-20, -4.9, ring - 5}, {80, -4.9, ring - 5});
+        ASSERT_TRUE(d);
+        EXPECT_NEAR(d->depth, std::min(0.1, (leg + std::max(0.0, -ring)) / std::sqrt(2)), 0.002) << ring;
+    }
+}
+
+TEST(Certified, an_edge_lies_as_deep_in_a_round_flank_of_many_chords) {
+    // A quarter of a circle of 5 mm in chords of a degree, with a shaft above.
+    Shape tool;
+    const auto at = [](int i) { return geom::radians(static_cast<double>(i)); };
+    for (int i = 0; i < 90; ++i)
+        tool.push_back(
+            {5 * std::sin(at(i)), 5 - 5 * std::cos(at(i)), 5 * std::sin(at(i + 1)), 5 - 5 * std::cos(at(i + 1)), 0});
+    tool.push_back({5, 5, 5, 40, 0});
+    const Judge judge(plate(), 0.01);
+    // The middle of the ball stands so far from the plate's edge that this lies 0.3 within, askew.
+    const double off = 4.7 * std::sin(geom::radians(40.0)), up = 4.7 * std::cos(geom::radians(40.0));
+    const auto d = found_in(judge, tool, {-20, -off, up - 5}, {80, -off, up - 5});
+    ASSERT_TRUE(d);
+    EXPECT_NEAR(d->depth, 0.3, 0.01);
+}
+
 TEST(Certified, an_edge_is_as_deep_as_what_is_taken_off_it) {
     // A roof whose faces meet at the angle along x; an end mill's floor takes its ridge off. In the part it lies only
     // the sine of half that angle as deep, or less: the floor's middle is as far from both faces.

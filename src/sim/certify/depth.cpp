@@ -7,6 +7,7 @@
 
 #include "sim/certify/certify.hpp"
 #include "sim/certify/closest.hpp"
+#include "sim/certify/joined.hpp"
 
 namespace obrys::sim::certify {
 
@@ -55,19 +56,21 @@ double width_of(const Swept& swept, const mesh::Box& part, Vec3 p, Vec3 across) 
 
 }  // namespace
 
-/// How deep the part's surface lies in the swept body, where that is between `depth` and `most`.
-double Judge::edge_depth(const Swept& whole, double depth, double most) const {
-    const auto reached = [&](double d) {
-        const std::optional<Body> core = core_of(whole.body, d);
-        if (!core) return false;
+/// How deep the part's surface lies in a body that `core` makes smaller, where that is between `depth` and `most`.
+double Judge::edge_depth(const Swept& whole, const Core& core, double depth, double most) const {
+    const auto meets_inner = [&](const Body& body) {
         Swept inner = whole;
-        inner.body = *core;
+        inner.body = body;
         const std::vector<std::uint32_t> met = met_by(inner);
         // Doubt counts as met there; here a place that lies in it is wanted.
         return std::any_of(met.begin(), met.end(), [&](std::uint32_t t) {
             const Vec3 p = closest(inner, corners(part_.mesh(), t), to_the_end).on_other;
             return geom::distance(p, nearest_within(inner, p)) < 1e-6;
         });
+    };
+    const auto reached = [&](double d) {
+        const Shape inner = core(d);
+        return std::any_of(inner.begin(), inner.end(), meets_inner);
     };
     double low = depth + edge_accuracy * allowed_, high = most;
     if (high <= low || !reached(low)) return depth;
@@ -180,7 +183,7 @@ std::optional<Depth> Judge::deepest(const Move& move, std::optional<Vec3> from) 
     if (!(best.depth > 0)) return {};
     Depth out = at_spot(best);
     out.depth = through_any(failing, best);
-    measure_edge(failing, best, out);
+    measure_edge(*move.shape, failing, best, out);
     Vec3 across = unit_of(cross(out.normal, piece->way));
     if (across == Vec3{})
         across = unit_of(cross(out.normal, std::abs(out.normal.x) < 0.9 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
@@ -189,14 +192,25 @@ std::optional<Depth> Judge::deepest(const Move& move, std::optional<Vec3> from) 
 }
 
 /// Where an edge lies deeper in the tool than the tool in the part.
-void Judge::measure_edge(const std::vector<Piece>& pieces, const Spot& best, Depth& out) const {
+void Judge::measure_edge(const Shape& shape, const std::vector<Piece>& pieces, const Spot& best, Depth& out) const {
     const bool in_stock = best.depth > 0.999 * best.place.distance;
     if (!in_stock) return;
     const double through = out.depth;
+    const std::vector<Joined> joined = joined_in(shape);
     const std::size_t some = std::min<std::size_t>(pieces.size(), whole_effort.pieces);
     for (std::size_t i = 0; i <= some; ++i) {
         const Piece& p = i == some ? *best.piece : pieces[i * pieces.size() / some];
-        out.depth = std::max(out.depth, edge_depth(p, out.depth, sharpest * best.depth));
+        const auto core = [&](double d) {
+            const std::optional<Body> body = core_of(p.body, d);
+            return body ? Shape{*body} : Shape{};
+        };
+        out.depth = std::max(out.depth, edge_depth(p, core, out.depth, sharpest * best.depth));
+        // What lies at a ring between two bodies lies deep in neither.
+        for (const Joined& j : joined)
+            if (j.holds(p.body)) {
+                const auto inner = [&](double d) { return core_of(j, d); };
+                out.depth = std::max(out.depth, edge_depth(p, inner, out.depth, sharpest * best.depth));
+            }
     }
     out.edge = out.depth > through * edge_from;
 }

@@ -97,6 +97,41 @@ TEST(CertifiedSearch, a_wall_of_less_than_what_is_allowed_is_proved_to_be_thin_w
     }
 }
 
+/// The small body that is a tool's point, on a long way through a wall on a floor, however all of it leans.
+TEST(CertifiedSearch, a_point_through_a_thin_wall_on_a_floor_is_proved_on_a_long_way) {
+    constexpr double allowed = 0.05, wall = 0.035;
+    const Shape point{{0, 0, 0.05, 0.28, 0}};
+    for (const double lean : {0.0, 0.4, 1.0}) {
+        const geom::Frame turned = geom::Frame::rotation(1, lean) * geom::Frame::rotation(2, 0.8);
+        const mesh::Distance part(mesh::transformed(walled_floor(5, -wall / 2, wall / 2), turned));
+        const Judge judge(part, allowed);
+        const auto at = [&](double x, double y, double z) { return geom::apply(turned, Vec3{x, y, z}); };
+        const Move move{geom::Straight{at(-14, -12, -0.7), at(14, 12, -0.7)}, geom::apply_direction(turned, {0, 0, 1}),
+                        &point};
+        EXPECT_FALSE(judge.is_clear(move)) << lean;
+        EXPECT_TRUE(judge.is_thin(move, geom::apply_direction(turned, {1, 0, 0}))) << lean;
+    }
+}
+
+/// A corner that is taken off by nearly as much as is allowed, or hardly more, on whichever way and side of the tool.
+TEST(CertifiedSearch, a_corner_taken_off_by_less_than_is_allowed_is_proved) {
+    constexpr double allowed = 0.05;
+    const double lean = geom::radians(30.0);
+    const Shape cone{{0, 0, 0.05, 0.05 / std::tan(lean), 0}, {0.05, 0.05 / std::tan(lean), 4, 4 / std::tan(lean), 0}};
+    const Judge judge(slab(), allowed);
+    for (const double about : {0.5, 0.8, 1.1})
+        for (const double share : {0.5, 0.94, 0.99, 1.1, 1.5}) {
+            // The flank's normal at the corner (0, 0, 0), out of the tool and into the slab.
+            const Vec3 out{std::cos(lean) * std::cos(about), std::cos(lean) * std::sin(about), -std::sin(lean)};
+            const Vec3 along{-std::sin(about), std::cos(about), 0};
+            const Vec3 on_flank =
+                3 * Vec3{std::sin(lean) * std::cos(about), std::sin(lean) * std::sin(about), std::cos(lean)};
+            const Vec3 middle = share * allowed * out - on_flank;
+            const Move move{geom::Straight{middle - 3.0 * along, middle + 3.0 * along}, {0, 0, 1}, &cone};
+            EXPECT_EQ(judge.is_no_deeper(move, {0, 0, 1}), share < 1.02) << about << ' ' << share;
+        }
+}
+
 TEST(CertifiedSearch, a_wall_as_thick_as_is_allowed_is_not_thin) {
     const Shape mill = mill_of(2);
     const mesh::Distance part(mesh::box({0, -12, -10}, {0.0105, 12, 5}));

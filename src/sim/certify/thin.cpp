@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "sim/certify/certify.hpp"
+#include "sim/certify/joined.hpp"
 
 namespace obrys::sim::certify {
 
@@ -15,6 +16,7 @@ namespace {
 constexpr std::size_t most_cells = 100'000;   ///< of a move
 constexpr double smallest_cell = 0.125;       ///< of the depth
 constexpr double smallest_across = 1.0 / 16;  ///< of the depth
+constexpr double hardly_more = 1.04;  ///< of what is allowed: chords of a curve may stand off by half of the rest
 
 /// A box along three unit vectors, half its size along each.
 struct Cell {
@@ -24,11 +26,17 @@ struct Cell {
 
 using Axes = std::array<Vec3, 3>;
 
-Axes axes_along(Vec3 normal) {
-    const Vec3 aside = std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
-    const Vec3 first = cross(normal, aside), u = (1 / length(first)) * first;
+/// One of them as near to the tool's axis as may be: what the tool stands above, as a floor under a wall, is then below
+/// all boxes.
+Axes axes_along(Vec3 normal, Vec3 axis) {
+    Vec3 first = cross(normal, axis);
+    if (length(first) < 0.1) first = cross(normal, std::abs(normal.x) < 0.6 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
+    const Vec3 u = (1 / length(first)) * first;
     return {normal, u, cross(normal, u)};
 }
+
+/// Of a body at rest.
+double size_of(const Body& b) { return std::max({b.r0, b.r1, (b.z1 - b.z0) / 2}) + b.rounding; }
 
 double reach_of(const Cell& c) { return std::hypot(c.half[0], c.half[1], c.half[2]); }
 
@@ -52,10 +60,11 @@ Cell around_body(const Swept& whole, const Axes& axes) {
     return cell;
 }
 
-/// Across what is thin until it is much thinner, then where it is longest.
-std::array<Cell, 2> halves_of(const Cell& c, const Axes& axes, double depth) {
+/// Where it is longer than the body: of a long way of a small one most boxes lie beside that. Then across what is thin
+/// until it is much thinner, then where it is longest.
+std::array<Cell, 2> halves_of(const Cell& c, const Axes& axes, double depth, double body) {
     const auto longest = static_cast<std::size_t>(std::max_element(c.half.begin(), c.half.end()) - c.half.begin());
-    const std::size_t k = c.half[0] > smallest_across * depth ? 0 : longest;
+    const std::size_t k = c.half[longest] <= body && c.half[0] > smallest_across * depth ? 0 : longest;
     Cell low = c;
     low.half[k] /= 2;
     Cell high = low;
@@ -121,9 +130,9 @@ bool is_near_outside(const mesh::Distance& part, const Cell& c, const Axes& axes
 }  // namespace
 
 /// A place is no deeper than it is far from any triangle; that distance is convex, so a box's corners bound it.
-bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) const {
-    const double depth = allowed_ / 2;
-    const Axes axes = axes_along(normal);
+bool Judge::is_shallow(const Piece& whole, Vec3 normal, double depth, std::size_t& cells) const {
+    const double body = size_of(whole.body);
+    const Axes axes = axes_along(normal, whole.axis);
     std::vector<Cell> open{around_body(whole, axes)};
     while (!open.empty()) {
         const Cell cell = open.back();
@@ -144,7 +153,7 @@ bool Judge::is_shallow(const Piece& whole, Vec3 normal, std::size_t& cells) cons
         if (inside && place.distance > depth && geom::distance(cell.centre, nearest_within(whole, cell.centre)) <= 0)
             return false;
         if (reach < smallest_cell * depth) return false;
-        for (const Cell& half : halves_of(cell, axes, depth)) open.push_back(half);
+        for (const Cell& half : halves_of(cell, axes, depth, body)) open.push_back(half);
     }
     return true;
 }
@@ -153,8 +162,34 @@ bool Judge::is_thin(const Move& move, Vec3 normal) const {
     std::vector<Piece> failing;
     if (clear_between(move, 0, 1, {allowed_, Of::part_in_stock}, &failing)) return true;
     std::size_t cells = most_cells;
-    return length(normal) > 0.5 && !failing.empty() &&
-           std::all_of(failing.begin(), failing.end(), [&](const Piece& p) { return is_shallow(p, normal, cells); });
+    return length(normal) > 0.5 && !failing.empty() && std::all_of(failing.begin(), failing.end(), [&](const Piece& p) {
+               return is_shallow(p, normal, allowed_ / 2, cells);
+           });
+}
+
+bool Judge::holds_surface(const Piece& whole, const std::vector<Joined>& joined, double depth) const {
+    const auto meets_inner = [&](const Body& body) {
+        Swept inner = whole;
+        inner.body = body;
+        return meets(inner);
+    };
+    if (const std::optional<Body> core = core_of(whole.body, depth); core && meets_inner(*core)) return true;
+    return std::any_of(joined.begin(), joined.end(), [&](const Joined& j) {
+        if (!j.holds(whole.body)) return false;
+        const Shape core = core_of(j, depth);
+        return std::any_of(core.begin(), core.end(), meets_inner);
+    });
+}
+
+bool Judge::is_no_deeper(const Move& move, Vec3 normal) const {
+    std::vector<Piece> failing;
+    if (clear_between(move, 0, 1, {allowed_, Of::part_in_stock}, &failing)) return true;
+    if (!(length(normal) > 0.5) || failing.empty()) return false;
+    const std::vector<Joined> joined = joined_in(*move.shape);
+    std::size_t cells = most_cells;
+    return std::all_of(failing.begin(), failing.end(), [&](const Piece& p) {
+        return !holds_surface(p, joined, hardly_more * allowed_) && is_shallow(p, normal, allowed_, cells);
+    });
 }
 
 }  // namespace obrys::sim::certify

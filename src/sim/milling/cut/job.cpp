@@ -91,7 +91,8 @@ void join(Tally& into, const Tally& t) {
         into.depth = t.depth;
         into.deepest = t.deepest;
     }
-    if (t.stack > 0) into.take_stack(t.stack, t.stack_off, t.stack_foot);
+    if (t.stacks.to_tip.height > 0) into.stacks.to_tip.take(t.stacks.to_tip);
+    if (t.stacks.seen.height > 0) into.stacks.seen.take(t.stacks.seen);
 }
 
 TileRange tiles_of(const Job& job, const Dexels& dexels, int axis) {

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "sim/milling/cut/stack.hpp"
 #include "sim/milling/dexel.hpp"
 #include "sim/milling/rays/rows.hpp"
 #include "sim/milling/shape.hpp"
@@ -39,16 +40,7 @@ struct Tally {
     double rightmost = std::numeric_limits<double>::infinity(), leftmost = -std::numeric_limits<double>::infinity();
     double depth = 0;
     geom::Vec3 deepest;
-    double stack = 0, stack_off = 0;  ///< stack_off: of the ray from the way
-    geom::Vec3 stack_foot;
-    /// Of equal stacks the one nearest to the way.
-    void take_stack(double height, double off, geom::Vec3 foot) {
-        constexpr double same = 1e-9;  // mm
-        if (!(height > stack + same || (height > stack - same && off < stack_off))) return;
-        stack = height;
-        stack_off = off;
-        stack_foot = foot;
-    }
+    Stacks stacks;  ///< of jobs that do not cut
 };
 void join(Tally& into, const Tally& t);
 

@@ -213,6 +213,7 @@ Simulation Simulation::at(std::size_t passes) const {
     then.sweeps_.cut_to(end);
     then.runs_.cut_to(end / in_run);
     then.engagements_.cut_to(passes);
+    std::erase_if(then.stacks_, [&](const auto& s) { return s.first >= passes; });
     then.done_ = end;
     then.states_.cut_to(end);
     return then;
@@ -240,10 +241,10 @@ void Simulation::flush() {
                 e.depth = t.depth;
                 e.deepest = t.deepest;
             }
-            if (t.stack > e.stack) {
-                e.stack = t.stack;
-                e.stack_foot = t.stack_foot;
-            }
+            if (!(t.stacks.to_tip.height > 0)) continue;
+            Stacks& stacks = stacks_[jobs[i].pass];
+            if (t.stacks.to_tip.height > stacks.to_tip.height) stacks.to_tip = t.stacks.to_tip;
+            if (t.stacks.seen.height > stacks.seen.height) stacks.seen = t.stacks.seen;
         }
         done_ = end;
         states_.add(done_, dexels_);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "base/shared_log.hpp"
 #include "geom/interpolation.hpp"
 #include "sim/milling/cut/air.hpp"
+#include "sim/milling/cut/stack.hpp"
 #include "sim/milling/cut/states.hpp"
 #include "sim/milling/cutter.hpp"
 #include "sim/milling/dexel.hpp"
@@ -62,10 +64,6 @@ struct Engagement {
     /// where.
     double depth = 0;
     geom::Vec3 deepest;
-    /// The same passes: how high, along the axis, material stands above the lower side of the tool, on rays that pass
-    /// within nine tenths of its radius (not at its rim, which rubs along walls), and its lower end.
-    double stack = 0;
-    geom::Vec3 stack_foot;
 };
 
 /// Directions that a cutter's edge is engaged in, seen against the axis, counter-clockwise from `from` to `to`; 0 is
@@ -103,6 +101,11 @@ public:
     [[nodiscard]] std::uint64_t open_rays() const { return open_rays_; }  ///< of a mesh stock that is not closed
     /// In the order of `add`.
     [[nodiscard]] const base::SharedLog<Engagement>& engagements() const { return engagements_; }
+    /// Of a pass that does not cut: what stood above the lower side of the tool.
+    [[nodiscard]] Stacks stacks_of(std::uint32_t pass) const {
+        const auto at = stacks_.find(pass);
+        return at == stacks_.end() ? Stacks{} : at->second;
+    }
     /// Number of the pass (from 0) that a cut of an Interval belongs to; `cut` is not 0.
     [[nodiscard]] std::uint32_t pass_of(std::uint32_t cut) const { return sweeps_[cut - 1].pass; }
     /// Unit normal out of the material at a point that sweep `cut` made, or of the stock's own face where cut is 0.
@@ -192,7 +195,8 @@ private:
     base::SharedLog<Box3> runs_;  ///< boxes around so many sweeps after each other
     base::SharedLog<Circle> circles_;
     base::SharedLog<Engagement> engagements_;
-    std::size_t done_ = 0;  ///< sweeps carried out
+    std::map<std::uint32_t, Stacks> stacks_;  ///< by pass: few do not cut and meet something
+    std::size_t done_ = 0;                    ///< sweeps carried out
     States states_;
 };
 

@@ -246,7 +246,9 @@ private:
         const double low = nearest && least - tip < room ? std::min(least, tip) : least;
         Vec3 foot = node(local);
         set_component(foot, place_.axis, one < other ? found.lowest : found.highest);
-        tally_.take_stack(std::max(one, other) - low, off, foot + (low - least) * job_.frame.z);
+        const double high = std::max(one, other);
+        tally_.stacks.seen.take({high - least, off, foot});
+        tally_.stacks.to_tip.take({high - low, off, foot + (low - least) * job_.frame.z});
     }
 
     static constexpr double rim = 0.9;  ///< of the radius: what lies farther out may be a wall along which it rubs

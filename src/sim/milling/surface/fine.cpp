@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 #include "base/parallel.hpp"
 #include "base/whole.hpp"
@@ -110,6 +109,7 @@ void Fine::halve(std::vector<Leaf> next) {
     while (!next.empty() && !(stop_ && stop_())) {
         ++round_;
         dirty_.clear();
+        halved_ = next.size(), known_before_ = known_.size();
         KeyMap seen;
         for (const Leaf& leaf : next) {
             leaves_.split(leaf, round_);
@@ -241,6 +241,15 @@ bool Fine::needs_split(const Near& near, const Leaf& leaf) const {
     return material == 0 && !is_covered(near, leaf);
 }
 
+/// As many edges for each as the last ones took. What would not end within the bound is not begun: the last round takes
+/// most of the time (a wall thinner than the tolerance is halved all over), and what it asks for next is left all the
+/// same.
+bool Fine::has_room_for(std::size_t leaves) const {
+    const double each =
+        halved_ > 0 ? static_cast<double>(known_.size() - known_before_) / static_cast<double>(halved_) : 0;
+    return static_cast<double>(known_.size()) + each * static_cast<double>(leaves) < static_cast<double>(most_known);
+}
+
 std::vector<Leaf> Fine::leaves_to_split() {
     // Cells that were halved, and those beside them, whose traces have changed.
     KeyMap active;
@@ -304,46 +313,9 @@ std::vector<Leaf> Fine::leaves_to_split() {
     };
     std::sort(split.begin(), split.end(), before);
     split.erase(std::unique(split.begin(), split.end()), split.end());
-    if (known_.size() < most_known) return split;
+    if (has_room_for(split.size())) return split;
     for (const Leaf& leaf : split) open_.push_back(box_of(leaf));
     return {};
-}
-
-/// What was too fine once may have become right with its neighbours.
-void Fine::settle() {
-    KeyMap given_up;
-    for (const Leaf& leaf : given_up_) given_up.add(key_of(leaf.at), 1);
-    given_up_.clear();
-    for (std::size_t e = 0; e < edges_.size() && given_up.size() > 0; ++e)
-        for (const Leaf& leaf : edges_[e].around)
-            if (given_up.find(key_of(leaf.at)) != KeyMap::none &&
-                is_off(leaves_.cell_of(leaf.at), e, tolerance_, tolerance_))
-                open_.push_back(box_of(leaf));
-}
-
-Box3 Fine::box_of(const Leaf& leaf) const {
-    const std::int32_t s = leaf.size;
-    return {leaves_.node(leaf.at), leaves_.node({leaf.at[0] + s, leaf.at[1] + s, leaf.at[2] + s})};
-}
-
-Refined Fine::figures() const {
-    Refined r;
-    r.cells = leaves_.split_cells().size();
-    r.open = open_;
-    r.filled = filled_;
-    const auto before = [](const Box3& a, const Box3& b) {
-        return std::tie(a.min.x, a.min.y, a.min.z, a.max.x) < std::tie(b.min.x, b.min.y, b.min.z, b.max.x);
-    };
-    std::sort(r.open.begin(), r.open.end(), before);
-    r.open.erase(std::unique(r.open.begin(), r.open.end(),
-                             [](const Box3& a, const Box3& b) { return a.min == b.min && a.max == b.max; }),
-                 r.open.end());
-    std::int32_t smallest = leaves_.unit();
-    for (const Place& c : leaves_.split_cells())
-        leaves_.each_leaf(c, [&](const Leaf& leaf) { smallest = std::min(smallest, leaf.size); });
-    const double step = std::max({lattice_.step.x, lattice_.step.y, lattice_.step.z});
-    r.finest = step * smallest / leaves_.unit();
-    return r;
 }
 
 }  // namespace obrys::sim::milling

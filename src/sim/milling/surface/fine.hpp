@@ -106,11 +106,13 @@ private:
     [[nodiscard]] PlaneFit planes_at(const Piece& piece, geom::Vec3 p) const;
     [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
+    [[nodiscard]] bool has_room_for(std::size_t leaves) const;
     [[nodiscard]] bool needs_split(const Near& near, const Leaf& leaf) const;
     [[nodiscard]] bool is_off(const Near& here, const Corners& t, double allowed, double in_material) const;
     [[nodiscard]] bool is_off(const Place& cell, std::size_t edge, double allowed, double in_material) const;
 
     [[nodiscard]] bool is_material(const Place& p) const;
+    [[nodiscard]] bool is_outermost(const Place& p) const;
     [[nodiscard]] bool is_special(const Leaf& leaf) const;
     [[nodiscard]] const Known* known(const ShortEdge& e) const;
     [[nodiscard]] bool is_far(const Near& near, const Leaf& leaf) const;
@@ -140,6 +142,7 @@ private:
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node
     std::vector<Known> known_;
     std::uint32_t round_ = 0;
+    std::size_t halved_ = 0, known_before_ = 0;  ///< leaves in this round, and edges known before it
     std::array<KeyMap, 3> tested_;  ///< what triangles about an edge were like when they were found to be right
     std::vector<Place> dirty_;      ///< cells of the lattice in which something was split last
     std::vector<Place> all_;        ///< those in `fine_cells_`

@@ -44,6 +44,13 @@ void Fine::each_edge_of(const Leaf& leaf, base::FunctionRef<void(const ShortEdge
         }
 }
 
+/// Material ends within the lattice; a stock's mesh that crosses itself claims there is some beyond.
+bool Fine::is_outermost(const Place& p) const {
+    for (std::size_t a = 0; a < 3; ++a)
+        if (p[a] <= 0 || p[a] >= (lattice_.count[a] - 1) * leaves_.unit()) return true;
+    return false;
+}
+
 /// The nodes of leaves that are new. What one cell finds of a node on its rim, its neighbours find, too: a sign follows
 /// from the node's coordinates alone.
 void Fine::find_signs() {
@@ -65,7 +72,8 @@ void Fine::find_signs() {
     base::for_all(dirty_.size(), [&](std::size_t n) {
         if (wanted[n].empty()) return;
         const Near near = exact_.near(dirty_[n], false);
-        for (const Place& p : wanted[n]) found[n].push_back(exact_.is_material(near, leaves_.node(p)) ? 1 : 0);
+        for (const Place& p : wanted[n])
+            found[n].push_back(!is_outermost(p) && exact_.is_material(near, leaves_.node(p)) ? 1 : 0);
     });
     for (std::size_t n = 0; n < dirty_.size(); ++n)
         for (std::size_t i = 0; i < wanted[n].size(); ++i) signs_.add(key_of(wanted[n][i]), found[n][i]);

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <random>
 
 #include "base/parallel.hpp"
@@ -72,6 +73,40 @@ BothWays both_ways(const Reference& r, const mesh::Mesh& m, std::mt19937& random
         }
     }
     return d;
+}
+
+TEST(Fine, a_stock_whose_mesh_crosses_itself_ends_within_the_lattice) {
+    // A block of which one upper corner lies below its lower face: beyond it all seems to be within.
+    const MeshStock stock{{{39.515, -20.628, -33.905},
+                           {-16.943, 26.275, -33.905},
+                           {25.145, 36.805, -33.905},
+                           {-2.573, -31.158, -33.905},
+                           {29.585, -23.112, -3.22},
+                           {25.624, 36.925, -35.384},
+                           {-29.664, 23.092, 3.275},
+                           {-26.487, -37.141, 35.988}},
+                          {{0, 1, 2},
+                           {0, 3, 1},
+                           {4, 5, 6},
+                           {4, 6, 7},
+                           {0, 2, 5},
+                           {0, 5, 4},
+                           {2, 1, 6},
+                           {2, 6, 5},
+                           {1, 3, 7},
+                           {1, 7, 6},
+                           {3, 0, 4},
+                           {3, 4, 7}}};
+    constexpr double tolerance = 0.05;
+    Simulation s(stock, *make_lattice(box_of(stock), step_for(tolerance, 1)), tolerance);
+    Pass pass;
+    pass.path = geom::Straight{{7.4, 33.7, -23}, {2.1, 32.4, -19.3}};
+    pass.tool = s.add_tool(testing::shape_of({RoundTool::Kind::ball, 1}));
+    EXPECT_EQ(s.add(pass), Taken::taken);
+    s.flush();
+    std::atomic<int> asked = 0;  // what follows takes long, as nothing of it can be right
+    const Surface found = extract_surface(s, [&] { return ++asked > 4; });
+    EXPECT_GT(mesh::bounds(found.mesh).lo.z, -35.384 - 4 * s.dexels().lattice().step.z);
 }
 
 TEST(Fine, a_fin_thinner_than_the_lattice_stays) {
