@@ -91,7 +91,11 @@ TEST(Cost, what_the_cycle_leaves_out) {
     mill.life_min = 60;
     mill.cut_s = 150;
     mill.change_min = 2;
-    t.tools = {mill, {"chamfer mill", 500, 1, 0, 90, {}, 0}};
+    shop::CostTool other;
+    other.name = "chamfer mill";
+    other.price = 500;
+    other.life_min = 90;
+    t.tools = {mill, other};
     const Cost c = cost_of(t, 166);
     const double a_minute = 100.0 / 60 * 6 + 850.0 / 60;
     const double tool = 150.0 / 60 / 60 * ((800 + 3 * 200) / 4.0 + 2 * a_minute);
