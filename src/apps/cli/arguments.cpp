@@ -70,6 +70,10 @@ Arguments parse(int argc, char** argv) {
                 : c.sheet->parsed()     ? Command::sheet
                 : c.time->parsed()      ? Command::time
                 : c.calibrate->parsed() ? Command::calibrate
+                : c.data->parsed()      ? Command::data
+                : c.cost->parsed()      ? Command::cost
+                : c.blade->parsed()     ? Command::blade
+                : c.force->parsed()     ? Command::force
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

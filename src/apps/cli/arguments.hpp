@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "cutting_arguments.hpp"
 #include "driver/keep.hpp"
 #include "driver/milling_job.hpp"
 #include "driver/output_file.hpp"
@@ -13,7 +14,24 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, calibrate, post, version };
+enum class Command : int {
+    none,
+    check,
+    run,
+    plot,
+    fmt,
+    translate,
+    compare,
+    sheet,
+    time,
+    calibrate,
+    data,
+    cost,
+    blade,
+    force,
+    post,
+    version
+};
 
 struct Arguments {
     Command command = Command::none;
@@ -39,6 +57,7 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
+    CuttingArguments cutting;
     std::string to;                     ///< of translate and calibrate: a post or a control
     bool keep = false;                  ///< of translate: statement by statement
     int sets = 3;                       ///< of translate --keep: how many sets of other values are run

@@ -13,6 +13,10 @@ namespace obrys::cli {
 [[nodiscard]] int sheet(const Arguments& arguments);
 [[nodiscard]] int time(const Arguments& arguments);
 [[nodiscard]] int calibrate(const Arguments& arguments);
+[[nodiscard]] int blade(const Arguments& arguments);
+[[nodiscard]] int force(const Arguments& arguments);
+[[nodiscard]] int cost(const Arguments& arguments);
+[[nodiscard]] int data(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
 

@@ -143,6 +143,20 @@ void add_surface_outputs(CLI::App& check, Arguments& a) {
     });
 }
 
+/// How near the simulated surface of a milled part must be.
+void add_simulation_tolerance(CLI::App& app, Arguments& a) {
+    app.add_option_function<double>(
+           "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },
+           "milling: how near the simulated surface must be to the true one, mm (0.01)")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && *value <= shop::largest_tolerance
+                       ? std::string()
+                       : "must be a length in mm above 0, at most 1";
+        })
+        ->type_name("MM");
+}
+
 /// How near both runs must lie.
 void add_same_place(CLI::App& app, Arguments& a) {
     app.add_option_function<double>(
@@ -243,17 +257,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
     c.check->add_option("--svg", a.svg, "also write the picture; milling: as --projections")->type_name("FILE");
-    c.check
-        ->add_option_function<double>(
-            "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },
-            "milling: how near the simulated surface must be to the true one, mm (0.01)")
-        ->check([](const std::string& text) {
-            const auto value = base::parse_double(text);
-            return value && *value > 0 && *value <= shop::largest_tolerance
-                       ? std::string()
-                       : "must be a length in mm above 0, at most 1";
-        })
-        ->type_name("MM");
+    add_simulation_tolerance(*c.check, a);
     add_surface_outputs(*c.check, a);
     c.check->add_option("--engagement", a.engagement, "milling: also write how every move was engaged (.csv, .json)")
         ->check([](const std::string& path) {
@@ -296,6 +300,13 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.sheet = add_sheet(app, a);
     c.time = add_time(app, a);
     c.calibrate = add_calibrate(app, a);
+    c.data = add_data(app, a);
+    c.cost = add_cost(app, a);
+    c.blade = add_blade(app, a);
+    c.force = add_force(app, a);
+    add_input(*c.force, a);
+    add_request(*c.force, a);
+    add_simulation_tolerance(*c.force, a);
     c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
@@ -303,7 +314,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate,
+                              c.data, c.cost, c.blade, c.force})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

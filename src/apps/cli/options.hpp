@@ -17,6 +17,10 @@ struct Commands {
     CLI::App* sheet;
     CLI::App* time;
     CLI::App* calibrate;
+    CLI::App* data;
+    CLI::App* cost;
+    CLI::App* blade;
+    CLI::App* force;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;

@@ -12,7 +12,8 @@ namespace {
 
 const std::vector<std::string>& commands() {
     static const std::vector<std::string> words{"check", "run",  "plot",      "fmt",  "translate", "compare",
-                                                "sheet", "time", "calibrate", "post", "version",   "help"};
+                                                "sheet", "time", "calibrate", "data", "cost",      "blade",
+                                                "force", "post", "version",   "help"};
     return words;
 }
 
