@@ -75,6 +75,7 @@ Arguments parse(int argc, char** argv) {
                 : c.blade->parsed()     ? Command::blade
                 : c.force->parsed()     ? Command::force
                 : c.post->parsed()      ? Command::post
+                : c.make->parsed()      ? Command::make
                                         : Command::version;
     return a;
 }

@@ -10,6 +10,7 @@
 #include "driver/output_file.hpp"
 #include "driver/session.hpp"
 #include "format/heidenhain/format.hpp"
+#include "make_arguments.hpp"
 #include "post_arguments.hpp"
 
 namespace obrys::cli {
@@ -29,6 +30,7 @@ enum class Command : int {
     cost,
     blade,
     force,
+    make,
     post,
     version
 };
@@ -57,6 +59,7 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
+    MakeArguments make;
     CuttingArguments cutting;
     std::string to;                     ///< of translate and calibrate: a post or a control
     bool keep = false;                  ///< of translate: statement by statement

@@ -18,6 +18,7 @@ namespace obrys::cli {
 [[nodiscard]] int cost(const Arguments& arguments);
 [[nodiscard]] int data(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
+[[nodiscard]] int make_program(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
 
 }  // namespace obrys::cli

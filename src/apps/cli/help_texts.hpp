@@ -14,6 +14,7 @@ inline constexpr const char* main_help =
     "  obrys translate PART.H --to fanuc -o P.nc   the same for another control\n"
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
     "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
+    "  obrys make groove groove.toml --compare     a groove from its measures, by every strategy\n"
     "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
     "  obrys time PART.H --machine mill.toml       how long it takes, and on what\n"
     "  obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05    cutting data\n"

@@ -23,6 +23,7 @@ int command(int argc, char** argv) {
         case obrys::cli::Command::compare: return obrys::cli::compare(arguments);
         case obrys::cli::Command::post: return obrys::cli::post(arguments);
         case obrys::cli::Command::sheet: return obrys::cli::sheet(arguments);
+        case obrys::cli::Command::make: return obrys::cli::make_program(arguments);
         case obrys::cli::Command::time: return obrys::cli::time(arguments);
         case obrys::cli::Command::calibrate: return obrys::cli::calibrate(arguments);
         case obrys::cli::Command::blade: return obrys::cli::blade(arguments);

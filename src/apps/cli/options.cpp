@@ -308,6 +308,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     add_request(*c.force, a);
     add_simulation_tolerance(*c.force, a);
     c.post = add_post(app, a);
+    c.make = add_make(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
     return c;
@@ -315,7 +316,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 
 void refuse_empty_names(const Commands& c) {
     for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate,
-                              c.data, c.cost, c.blade, c.force})
+                              c.data, c.cost, c.blade, c.force, c.make})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

@@ -22,6 +22,7 @@ struct Commands {
     CLI::App* blade;
     CLI::App* force;
     CLI::App* post;
+    CLI::App* make;
     CLI::App* version;
     CLI::App* help;
 };
