@@ -69,6 +69,11 @@ Arguments parse(int argc, char** argv) {
                 : c.compare->parsed()   ? Command::compare
                 : c.sheet->parsed()     ? Command::sheet
                 : c.time->parsed()      ? Command::time
+                : c.calibrate->parsed() ? Command::calibrate
+                : c.data->parsed()      ? Command::data
+                : c.cost->parsed()      ? Command::cost
+                : c.blade->parsed()     ? Command::blade
+                : c.force->parsed()     ? Command::force
                 : c.post->parsed()      ? Command::post
                 : c.make->parsed()      ? Command::make
                                         : Command::version;

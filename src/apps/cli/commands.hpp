@@ -12,6 +12,11 @@ namespace obrys::cli {
 [[nodiscard]] int post(const Arguments& arguments);
 [[nodiscard]] int sheet(const Arguments& arguments);
 [[nodiscard]] int time(const Arguments& arguments);
+[[nodiscard]] int calibrate(const Arguments& arguments);
+[[nodiscard]] int blade(const Arguments& arguments);
+[[nodiscard]] int force(const Arguments& arguments);
+[[nodiscard]] int cost(const Arguments& arguments);
+[[nodiscard]] int data(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int make_program(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);

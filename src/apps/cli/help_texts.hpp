@@ -16,6 +16,8 @@ inline constexpr const char* main_help =
     "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
     "  obrys make groove groove.toml --compare     a groove from its measures, by every strategy\n"
     "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
+    "  obrys time PART.H --machine mill.toml       how long it takes, and on what\n"
+    "  obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05    cutting data\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -110,6 +112,52 @@ inline constexpr const char* sheet_help =
     "Exit codes: 0 made, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable input,\n"
     "3 something was not understood or not run.";
 
+inline constexpr const char* data_help =
+    "Cutting data: speed, feed, effective diameter, chip thickness, removal, power, torque and roughness from what is\n"
+    "given of them; whatever one is not given follows from the others. With --machine its limits hold, and are said\n"
+    "(docs/cutting-data.md).\n\n"
+    "Examples:\n"
+    "  obrys data --vc 160 --diameter 10 --teeth 4 --fz 0.05\n"
+    "  obrys data --kind ball --vc 160 --diameter 10 --ap 0.2 --tilt 15 --teeth 2 --fz 0.05 --ae 0.3\n"
+    "  obrys data --rpm 6000 --vf 432 --teeth 4 --diameter 10 --ap 2.5 --ae 10 --material AlSi12Cu --machine "
+    "fv25cnc-a\n"
+    "  obrys data --kind turning --vc 180 --diameter 60 --fz 0.3 --ap 2 --nose-radius 0.8 --material C45\n"
+    "  obrys data --list\n\n"
+    "Exit codes: 0 solved, 1 what is given contradicts itself, or the machine cannot do it, 2 usage or unreadable "
+    "input,\n"
+    "3 neither speed nor feed follows from what is given.";
+
+inline constexpr const char* force_help =
+    "Forces of a milling program: of each move that cuts mean and largest force, power, torque and how far the tool\n"
+    "gives way, from what the simulation removed, the tool's edges and the material, at the feed that obrys time "
+    "plans;\n"
+    "and what the machine's spindle and the tool list say against it (docs/force.md).\n\n"
+    "Examples:\n"
+    "  obrys force part.job.toml\n"
+    "  obrys force part.job.toml --material AlSi12Cu --machine fv25cnc-a\n"
+    "  obrys force part.job.toml --format json -o force.json\n\n"
+    "Exit codes: 0 computed, 1 findings, 2 usage or unreadable input, 3 not fully computed: something was not run, "
+    "not\n"
+    "simulated, or the material or the teeth of a tool are not known.";
+
+inline constexpr const char* blade_help =
+    "How a thin blade rings before, while and after it is finished from its tip to its root: natural frequencies,\n"
+    "stiffness at the tip and at the cut, and which speeds tooth passing does not meet it at (docs/blade.md).\n\n"
+    "Examples:\n"
+    "  obrys blade blade.toml\n"
+    "  obrys blade blade.toml --format json -o blade.json\n\n"
+    "Exit codes: 0 computed, 1 it rings at the speed that is asked for, 2 usage or unreadable input.";
+
+inline constexpr const char* cost_help =
+    "What a piece, a batch and a year cost, by items, from a shop's cost table (docs/cost.md) and the time of a "
+    "piece:\n"
+    "that is given, or what obrys time estimates of a program. Variants stand beside each other.\n\n"
+    "Examples:\n"
+    "  obrys cost shop.toml --time 166\n"
+    "  obrys cost shop.toml --program PART.H --machine mill.toml\n"
+    "  obrys cost variants.toml --format json\n\n"
+    "Exit codes: 0 costed, 2 usage or unreadable input, 3 not fully costed: a time is not known, or not all of it.";
+
 inline constexpr const char* time_help =
     "Estimates how long the machine takes for a program: speeds, accelerations and jerk of its axes, corners within "
     "the\n"
@@ -123,6 +171,21 @@ inline constexpr const char* time_help =
     "Exit codes: 0 timed, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable "
     "input,\n"
     "3 something was not understood, or its feed is not known: not fully timed.";
+
+inline constexpr const char* calibrate_help =
+    "Fits the values of a machine file that decide times to recorded runs, says what the runs show and what they do "
+    "not,\n"
+    "and writes the file with what they show. The table (.csv) has the columns program and seconds, and where a line "
+    "is\n"
+    "for a part of the program tool, or first and last (lines); trace names a file t,x,y,z of places over time.\n"
+    "--program writes a program whose times show much, for any control.\n\n"
+    "Examples:\n"
+    "  obrys calibrate --program --to fanuc -o CALIBRATE.nc\n"
+    "  obrys calibrate mill.toml runs.csv\n"
+    "  obrys calibrate mill.toml runs.csv -o mill-calibrated.toml\n\n"
+    "Exit codes: 0 fitted, 1 --program: the post cannot say it, 2 usage or unreadable input, 3 a program is not timed "
+    "fully:\n"
+    "nothing is written.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"

@@ -25,6 +25,11 @@ int command(int argc, char** argv) {
         case obrys::cli::Command::sheet: return obrys::cli::sheet(arguments);
         case obrys::cli::Command::make: return obrys::cli::make_program(arguments);
         case obrys::cli::Command::time: return obrys::cli::time(arguments);
+        case obrys::cli::Command::calibrate: return obrys::cli::calibrate(arguments);
+        case obrys::cli::Command::blade: return obrys::cli::blade(arguments);
+        case obrys::cli::Command::force: return obrys::cli::force(arguments);
+        case obrys::cli::Command::cost: return obrys::cli::cost(arguments);
+        case obrys::cli::Command::data: return obrys::cli::data(arguments);
         case obrys::cli::Command::version: std::puts("obrys " OBRYS_VERSION); return 0;
         case obrys::cli::Command::none: break;
     }

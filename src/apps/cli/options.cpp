@@ -9,6 +9,7 @@
 #include "shop/files/obrys/machine_file.hpp"
 #include "shop/machine.hpp"
 #include "shop/nearest.hpp"
+#include "time_arguments.hpp"
 #include "words.hpp"
 #include "write/post.hpp"
 
@@ -46,6 +47,8 @@ void add_input(CLI::App& app, Arguments& a) {
         ->type_name("FILE");
 }
 
+}  // namespace
+
 void add_request(CLI::App& app, Arguments& a) {
     app.add_option("--control", a.request.control,
                    "control of the program: " + shop::joined(driver::controls()) + "; else found from the text")
@@ -82,6 +85,8 @@ void add_request(CLI::App& app, Arguments& a) {
     app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
     app.add_flag("--force", a.request.force, "replace files that are there (never the inputs)");
 }
+
+namespace {
 
 /// What the verdict and the exit code count.
 void add_verdict(CLI::App& app, Arguments& a) {
@@ -136,6 +141,20 @@ void add_surface_outputs(CLI::App& check, Arguments& a) {
             throw CLI::ValidationError(
                 "--at", "says when; what to write is said by --stl, --3mf, --gltf, --plan, --projections or --picture");
     });
+}
+
+/// How near the simulated surface of a milled part must be.
+void add_simulation_tolerance(CLI::App& app, Arguments& a) {
+    app.add_option_function<double>(
+           "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },
+           "milling: how near the simulated surface must be to the true one, mm (0.01)")
+        ->check([](const std::string& text) {
+            const auto value = base::parse_double(text);
+            return value && *value > 0 && *value <= shop::largest_tolerance
+                       ? std::string()
+                       : "must be a length in mm above 0, at most 1";
+        })
+        ->type_name("MM");
 }
 
 /// How near both runs must lie.
@@ -223,23 +242,6 @@ CLI::App* add_sheet(CLI::App& app, Arguments& a) {
     return sheet;
 }
 
-CLI::App* add_time(CLI::App& app, Arguments& a) {
-    CLI::App* time = app.add_subcommand("time", time_help);
-    time->add_option("input", a.request.input, "a program (.MPF, .SPF, .H, .I, .ngc) or a job file (.toml)")
-        ->required()
-        ->type_name("FILE");
-    add_request(*time, a);
-    time->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
-    time->add_option("--lines", a.lines, "how many of the slowest lines (10)")->type_name("N");
-    time->add_option("--compare", a.variants,
-                     "also the time with other values of the machine: tolerance=0.01,0.05 (mm), acceleration (mm/s2), "
-                     "jerk (mm/s3), block_time (s), look_ahead (blocks), corner=exact-stop,filter,blend")
-        ->type_name("NAME=VALUE,…")
-        ->allow_extra_args(false)
-        ->take_all();
-    return time;
-}
-
 }  // namespace
 
 Commands add_commands(CLI::App& app, Arguments& a) {
@@ -255,17 +257,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
         ->type_name("FORMAT");
     c.check->add_option("--html", a.html, "also write a page with picture and program text")->type_name("FILE");
     c.check->add_option("--svg", a.svg, "also write the picture; milling: as --projections")->type_name("FILE");
-    c.check
-        ->add_option_function<double>(
-            "--tolerance", [&a](const double& mm) { a.milling.tolerance = mm; },
-            "milling: how near the simulated surface must be to the true one, mm (0.01)")
-        ->check([](const std::string& text) {
-            const auto value = base::parse_double(text);
-            return value && *value > 0 && *value <= shop::largest_tolerance
-                       ? std::string()
-                       : "must be a length in mm above 0, at most 1";
-        })
-        ->type_name("MM");
+    add_simulation_tolerance(*c.check, a);
     add_surface_outputs(*c.check, a);
     c.check->add_option("--engagement", a.engagement, "milling: also write how every move was engaged (.csv, .json)")
         ->check([](const std::string& path) {
@@ -307,6 +299,14 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.compare = add_compare(app, a);
     c.sheet = add_sheet(app, a);
     c.time = add_time(app, a);
+    c.calibrate = add_calibrate(app, a);
+    c.data = add_data(app, a);
+    c.cost = add_cost(app, a);
+    c.blade = add_blade(app, a);
+    c.force = add_force(app, a);
+    add_input(*c.force, a);
+    add_request(*c.force, a);
+    add_simulation_tolerance(*c.force, a);
     c.post = add_post(app, a);
     c.make = add_make(app, a);
     c.version = app.add_subcommand("version", "prints the version");
@@ -315,7 +315,8 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.make})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate,
+                              c.data, c.cost, c.blade, c.force, c.make})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

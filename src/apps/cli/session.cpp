@@ -15,14 +15,23 @@ void print_diagnostics(const driver::Session& s, base::Severity from) {
     }
 }
 
+void print_diagnostics(const driver::cutting::Texts& texts) {
+    for (const base::Diagnostic& d : texts.diagnostics.all())
+        std::fputs(base::render(d, texts.sources).c_str(), stderr);
+}
+
+bool may_write(const Arguments& a, const std::vector<driver::fs::path>& inputs) {
+    const auto refused = driver::refusals(outputs_of(a), inputs, a.request.force);
+    for (const std::string& why : refused) std::fprintf(stderr, "obrys: %s\n", why.c_str());
+    return refused.empty();
+}
+
 bool may_write(const Arguments& a, const driver::Session& s) {
     std::vector<driver::fs::path> inputs = driver::inputs_of(s);
     inputs.insert(inputs.end(), a.inputs.begin(), a.inputs.end());  // those of a call share its outputs
     // A baseline may be brought up to date.
     if (!a.baseline.empty() && a.baseline != a.write_baseline) inputs.emplace_back(a.baseline);
-    const auto refused = driver::refusals(outputs_of(a), inputs, a.request.force);
-    for (const std::string& why : refused) std::fprintf(stderr, "obrys: %s\n", why.c_str());
-    return refused.empty();
+    return may_write(a, inputs);
 }
 
 driver::Request with_outputs(const Arguments& a) {

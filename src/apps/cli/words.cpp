@@ -11,8 +11,9 @@ namespace obrys::cli {
 namespace {
 
 const std::vector<std::string>& commands() {
-    static const std::vector<std::string> words{"check", "run",  "plot", "fmt",  "translate", "compare",
-                                                "sheet", "time", "post", "make", "version",   "help"};
+    static const std::vector<std::string> words{"check", "run",  "plot",      "fmt",     "translate", "compare",
+                                                "sheet", "time", "calibrate", "data",    "cost",      "blade",
+                                                "force", "make", "post",      "version", "help"};
     return words;
 }
 

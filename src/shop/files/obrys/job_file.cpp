@@ -207,6 +207,9 @@ void read_all(Section& s, Job& job) {
     job.variables = read_variables(s);
     read_limits(s, job);
     read_machine_name(s, job);
+    // What it says of its cuts is read where forces are wanted (shop/files/cutting).
+    for (const char* key : {"material", "materials", "spindle_torque"}) s.take(key);
+    static_cast<void>(s.tables("cutting"));
 }
 
 }  // namespace
