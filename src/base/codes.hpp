@@ -77,6 +77,7 @@ inline constexpr std::string_view file_binary = "file-binary";
 inline constexpr std::string_view job_file = "job-file";
 inline constexpr std::string_view job_value = "job-value";
 inline constexpr std::string_view mesh_file = "mesh-file";
+inline constexpr std::string_view runs_file = "runs-file";
 // listed only
 inline constexpr std::string_view no_effect = "no-effect";
 inline constexpr std::string_view written_by_moves = "written-by-moves";
@@ -140,6 +141,7 @@ inline constexpr std::array all_codes{
     Code{codes::file_binary, CodeKind::input, "a file that is not text"},
     Code{codes::job_file, CodeKind::input, "a job, machine or tool file that is not valid TOML or has an unknown key"},
     Code{codes::job_value, CodeKind::input, "a value in a job, machine or tool file that cannot be used"},
+    Code{codes::runs_file, CodeKind::input, "a table of recorded runs, or a trace of one, cannot be used"},
     Code{codes::mesh_file, CodeKind::input,
          "a file of a body (STL, STEP) that cannot be read: damaged, cut off, without content or without its module"},
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},

@@ -238,6 +238,18 @@ bool makes_no_difference(const cl::Step& a, const cl::Step& b) {
     const auto* length_b = std::get_if<cl::ToolLength>(&b);
     if (length != nullptr && length_b != nullptr)  // where values are said, no number counts
         return length->by && length->by == length_b->by && length->sense == length_b->sense;
+    // A reference point of known coordinates, and the same coordinates.
+    const auto* place = std::get_if<cl::MachinePlace>(&a);
+    const auto* place_b = std::get_if<cl::MachinePlace>(&b);
+    if (place != nullptr && place_b != nullptr) {
+        const auto named = [](const cl::MachinePlace& p) {
+            return p.kind == cl::PlaceKind::home || p.kind == cl::PlaceKind::coordinates;
+        };
+        cl::MachinePlace other = *place_b;
+        other.kind = place->kind, other.number = place->number;
+        return named(*place) && named(*place_b) && place->kind != place_b->kind && other == *place &&
+               is_finite(place->to);
+    }
     // A zero with another number at the same place; or nobody knows whether it is another one.
     const auto* datum = std::get_if<cl::Datum>(&a);
     const auto* datum_b = std::get_if<cl::Datum>(&b);

@@ -69,6 +69,7 @@ struct Tolerance {
     double length = 1e-4;  ///< mm, between places
     double angle = 1e-3;   ///< degrees, of additional axes and of values in degrees
     double share = 1e-6;   ///< of speeds, feeds and factors
+    double turn = 0;       ///< radians, by which tilted planes and the tool on them may be turned further
     double on_arcs = 0;    ///< mm, between places on arcs but their ends, where that is more than `length`
     /// mm: one of them counts in such increments; a move that is no longer may be missing, while all places lie within
     /// `length`.

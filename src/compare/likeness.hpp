@@ -30,7 +30,9 @@ public:
         return share(a, b) || std::abs(a - b) <= std::min(t_.speed_step, most * std::abs(a));
     }
     [[nodiscard]] bool place(const geom::Vec3& a, const geom::Vec3& b) const { return near(a, b, t_.length); }
-    [[nodiscard]] bool direction(const geom::Vec3& a, const geom::Vec3& b) const { return near(a, b, 1e-6); }
+    [[nodiscard]] bool direction(const geom::Vec3& a, const geom::Vec3& b) const {
+        return near(a, b, std::max(1e-6, t_.turn));
+    }
 
     /// Turned by the same about the same side: a sweep about the other side of the axis is the same with its sign.
     [[nodiscard]] bool turn(const geom::Vec3& n, double s, const geom::Vec3& m, double r, double radius) const {
@@ -120,14 +122,22 @@ public:
                share(a.feed, b.feed);
     }
     [[nodiscard]] bool operator()(const cl::MachinePlace& a, const cl::MachinePlace& b) const {
-        return a.kind == b.kind && a.number == b.number && a.axes == b.axes && place(a.to, b.to) && a.tip == b.tip;
+        const bool alike = a.kind == b.kind ? a.number == b.number : is_place_of_home(a, b) || is_place_of_home(b, a);
+        return alike && a.axes == b.axes && place(a.to, b.to) && a.tip == b.tip;
+    }
+    /// A reference point whose coordinates are known is the place that the other leads to by them (G28, M91).
+    [[nodiscard]] static bool is_place_of_home(const cl::MachinePlace& home, const cl::MachinePlace& said) {
+        const auto known = [](bool named, double v) { return !named || std::isfinite(v); };
+        return home.kind == cl::PlaceKind::home && said.kind == cl::PlaceKind::coordinates &&
+               known(home.axes[0], home.to.x) && known(home.axes[1], home.to.y) && known(home.axes[2], home.to.z);
     }
     [[nodiscard]] bool operator()(const cl::Datum& a, const cl::Datum& b) const {
         return a.number == b.number && place(a.origin, b.origin);
     }
     [[nodiscard]] bool affine(const geom::Frame& a, const geom::Frame& b) const {
-        return place(a.origin, b.origin) && std::equal(a.linear.begin(), a.linear.end(), b.linear.begin(),
-                                                       [](double x, double y) { return near(x, y, 1e-6); });
+        return place(a.origin, b.origin) &&
+               std::equal(a.linear.begin(), a.linear.end(), b.linear.begin(),
+                          [&](double x, double y) { return near(x, y, std::max(1e-6, t_.turn)); });
     }
     [[nodiscard]] bool operator()(const cl::Frame& a, const cl::Frame& b) const {
         return std::equal(a.parts.begin(), a.parts.end(), b.parts.begin(), b.parts.end(),

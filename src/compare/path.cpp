@@ -134,6 +134,20 @@ bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     return (line->rapid && tilts_) || near(tool_, line->axis, 1e-6);
 }
 
+/// The rotary axes have gone in the move before to where this one takes them, as the new plane counts them: the machine
+/// does the same where the control turns them to the plane by itself (G0 A29 C120, G68.2 …, G53.1).
+bool Path::has_turned_before(const cl::Step& step) const {
+    constexpr double same_angle = 0.05;  // degrees: the control goes on to where the plane's rounded angles want it
+    const auto* line = std::get_if<cl::Linear>(&step);
+    if (line == nullptr || !line->rapid || line->seek != cl::Seek::nothing) return false;
+    const bool follows = turns_alone_ && tilts_ && !moves.none_left() && item_at_ != moves.size() && !axes_.empty();
+    return follows && std::all_of(axes_.begin(), axes_.end(), [&](const cl::AxisEnd& axis) {
+               const auto at = stands_.find(axis.name);
+               return at != stands_.end() && axis.counted && !at->second.counted &&
+                      near(at->second.to, axis.to, same_angle);
+           });
+}
+
 /// What holds in the move. A rigid tap is coupled to the spindle on its way back as on its way in: whether a program
 /// says that the spindle is reversed for it, or the word of the tap does that, makes no difference; nor does it whether
 /// the spindle turns again before or behind the rapid that leads out of the hole.
@@ -166,7 +180,8 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // The same numbers with another length are another place.
     const cl::ToolLength& length = cursor_.state().length;
     if (!(length == length_there_)) at_.reset(), length_there_ = length;
-    if (leads_nowhere(record.step, to)) {
+    const bool turned = has_turned_before(record.step);
+    if (!turned && leads_nowhere(record.step, to)) {
         tilts_ = tilts_ && !std::isnan(to.x);  // one such step a plane: the next one to nobody knows where is a move
         return said_.reset();
     }
@@ -178,8 +193,15 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     hold();
     if (std::exchange(to_holder_, false)) held_ = false;
     note_tool();
+    const auto* line = std::get_if<cl::Linear>(&record.step);
+    turns_alone_ = line != nullptr && line->rapid && !axes_.empty() && !axes_.front().counted && at_ &&
+                   near(*at_, now, same_place_);
     for (const cl::AxisEnd& axis : axes_) stands_[axis.name] = {axis.to, axis.counted};
-    if (goes_on(record)) {
+    if (turned) {
+        Move& move = moves.back();
+        move.step = record.step, move.axes = std::exchange(axes_, {});
+        move.holding = holding_, move.from = record.from, move.stack = record.stack;
+    } else if (goes_on(record)) {
         auto& arc = std::get<cl::Arc>(moves.back().step);
         const auto& next = std::get<cl::Arc>(record.step);
         arc.to = next.to;

@@ -74,6 +74,7 @@ private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
     [[nodiscard]] bool is_turned() const;
+    [[nodiscard]] bool has_turned_before(const cl::Step& step) const;
     [[nodiscard]] geom::Vec3 as_said(geom::Vec3 to, const geom::Vec3& others) const;
     void take_said();
     void note_tool();
@@ -102,6 +103,7 @@ private:
     std::optional<cl::Record> said_;      ///< a MachinePlace of the frame, of the move that follows
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there
     bool tilts_ = false;                  ///< another frame since then
+    bool turns_alone_ = false;            ///< the last move, at rapid, of axes that its frame does not count
     cl::ToolLength length_there_;         ///< that was compensated there
     std::optional<std::size_t> item_at_;  ///< moves before the last event, cycle or element of a contour
     cl::AxisEnds axes_;                   ///< since the last move that counts

@@ -1,5 +1,7 @@
 /// The same way written otherwise is the same, whatever order its records come in.
 
+#include <limits>
+
 #include "base/seed_testing.hpp"
 #include "compare/streams_testing.hpp"
 
@@ -63,6 +65,37 @@ TEST(SameWay, AHeightThatIsNotSaidYetIsNotCompared) {
 }
 
 /// As the records come, in any order, the verdict is that of the whole streams.
+/// The rotary axes go by their words before the plane to where the control would turn them, or it turns them: the
+/// linear ones stand either way, and the machine does the same. Other positions, and a stop in between, are not the
+/// same.
+TEST(SameWay, AxesThatTurnBeforeTheirPlane) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const geom::Vec3 up{0, 0, 1}, tool{0.6, 0, 0.8};
+    cl::FramePart plane{cl::FrameKind::plane, {}};
+    plane.frame.linear = {0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8};
+    const auto turned = [](geom::Vec3 to, geom::Vec3 axis, double b, bool counted) {
+        return cl::Linear{to, axis, true, cl::Seek::nothing, {{{'B'}, b, true, counted}}};
+    };
+    const auto go = [&](geom::Vec3 to, geom::Vec3 axis) { return cl::Linear{to, axis, true, cl::Seek::nothing, {}}; };
+    const auto behind = [&](geom::Vec3 place, std::vector<cl::Step> first, double b) {
+        Steps all{go({0, 0, 50}, up)};
+        all.insert(all.end(), first.begin(), first.end());
+        all.insert(all.end(), {cl::Frame{{plane}}, turned(place, tool, b, true), go({5, 0, 9}, tool)});
+        return all;
+    };
+    for (const geom::Vec3 place : {geom::Vec3{30, 0, 40}, geom::Vec3{unknown, unknown, unknown}}) {
+        const Steps by_control = behind(place, {}, 36.8699),
+                    before = behind(place, {turned({0, 0, 50}, up, 36.87, false)}, 36.8699);
+        EXPECT_EQ(differences(by_control, before), "");
+        EXPECT_EQ(path_of(before).moves.size(), path_of(by_control).moves.size());
+        EXPECT_NE(differences(by_control, behind(place, {turned({0, 0, 50}, up, -36.87, false)}, 36.8699)), "");
+        EXPECT_NE(differences(by_control, behind(place, {turned({1, 0, 50}, up, 36.87, false)}, 36.8699)), "");
+        EXPECT_NE(differences(by_control, behind(place, {turned({0, 0, 50}, up, 36.87, false), cl::Stop{}}, 36.8699)),
+                  "");
+        EXPECT_NE(differences(by_control, behind(place, {}, 36.8)), "");
+    }
+}
+
 TEST(SameWay, WhicheverComesFirst) {
     const std::uint32_t seed = base::testing_seed();
     AnyStream any(seed);

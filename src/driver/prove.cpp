@@ -69,8 +69,23 @@ void complain_of_feed(Session& s, const std::optional<cl::Record>& move) {
 /// What a look through the program's stream says about how it can be compared.
 struct Program {
     double spread = 1;  ///< the widest of its frames
+    double lever = 0;   ///< mm: how far from the origin of its tilted plane a move ends
+    double tilt = 1;    ///< sine of the least tilt of one
     std::optional<cl::Record> without_feed{};
 };
+
+/// How far what turns a tilted plane a little further moves a place in it, and the rotary axes.
+void note_tilt(Program& out, const cl::Frame& frame, const geom::Vec3& to) {
+    const auto is_plane = [](const cl::FramePart& p) { return p.kind == cl::FrameKind::plane; };
+    if (std::none_of(frame.parts.begin(), frame.parts.end(), is_plane)) return;
+    geom::Frame whole;
+    for (const cl::FramePart& p : frame.parts) whole = whole * p.frame;
+    const geom::Vec3 normal = geom::apply_direction(whole, {0, 0, 1});
+    if (const double far = geom::distance(to, whole.origin); std::isfinite(far)) out.lever = std::max(out.lever, far);
+    constexpr double level = 1e-6;
+    if (const double tilt = std::hypot(normal.x, normal.y); tilt > level) out.tilt = std::min(out.tilt, tilt);
+}
+
 Program look_through(const cl::Recording& stream) {
     Program out;
     motion::Cursor cursor;
@@ -79,6 +94,7 @@ Program look_through(const cl::Recording& stream) {
         if (const auto* frame = std::get_if<cl::Frame>(&record.step))
             out.spread = std::max(out.spread, spread_of(*frame));
         const std::optional<motion::Step> step = cursor.take(record);
+        if (step) note_tilt(out, step->state.frame, step->to);
         if (!step || out.without_feed || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
         if (step->state.feed.value == 0) out.without_feed = record;
     };
@@ -100,10 +116,17 @@ bool differs_by_rounding(const compare::Result& result) {
 }
 
 /// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its
-/// start, its end and its centre. Places that are written are never given more room.
-compare::Tolerance as_words_hold(const write::Post& post, compare::Tolerance tolerance) {
+/// start, its end and its centre. Places that are written are given more room in tilted planes alone, of which each of
+/// three angles may be half a step of its word beside.
+compare::Tolerance as_words_hold(const write::Post& post, const Program& program, compare::Tolerance tolerance) {
     constexpr double words = 5;  // the start counts twice, for it shifts the centre and the radius
     const double length = write::half_step(post, "length");
+    if (program.lever > 0) {
+        constexpr double angles = 3;
+        tolerance.turn = angles * geom::radians(write::half_step(post, "angle"));
+        tolerance.length += program.lever * tolerance.turn;
+        tolerance.angle = std::max(tolerance.angle, geom::degrees(tolerance.turn / program.tilt));
+    }
     if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
     constexpr double slack = 1 + 1e-6;
     // Beside a smooth joint that is rounded a corner appears, whose arc no word is fine enough for.
@@ -183,10 +206,11 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.within = tolerance.length;
     out.increment = post.increment;
     if (const compare::Result first = out.compared; differs_by_rounding(first)) {
-        const compare::Tolerance wide = as_words_hold(post, tolerance);
+        const compare::Tolerance wide = as_words_hold(post, program, tolerance);
         if (!run(wide)) return out;
         const auto settled = [&](compare::Aspect a) { return first.of(a) != nullptr && out.compared.is_equal(a); };
         if (settled(compare::Aspect::motion)) out.within = std::max(wide.length, wide.on_arcs);
+        out.planes_rounded = wide.turn > 0 && settled(compare::Aspect::motion);
         out.feeds_rounded = settled(compare::Aspect::feed);
         out.speeds_rounded = settled(compare::Aspect::spindle);
     }

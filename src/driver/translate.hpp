@@ -95,6 +95,7 @@ struct Proved {
     std::string why_not;    ///< it was not compared at all; empty: it was
     std::unique_ptr<Session> run;              ///< null: its control is none that can be read
     bool run_complains = false;                ///< what it complains about is news
+    bool planes_rounded = false;               ///< tilted ones, by the angles that their words hold
     bool feeds_rounded = false;                ///< as their words hold them
     bool speeds_rounded = false;               ///< the same of the spindle
     double increment = 0;                      ///< mm, in which the control counts; 0: places are as written

@@ -27,6 +27,8 @@ public:
     /// It holds so much more than before: known or not, it stays that.
     void add(std::uint32_t n, double by) { values_[n] += by; }
     void mark_set(std::uint32_t n) { set_[n] = 1; }
+    /// It goes on holding so much more or less than before, and nobody knows how much that is.
+    void doubt(std::uint32_t n) { set_[n] = 0; }
     /// As `set`, by the control itself: the program has not assigned it.
     void set_by_control(std::uint32_t n, double v) {
         values_[n] = v;

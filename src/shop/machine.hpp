@@ -47,6 +47,9 @@ struct MachineMotion {
     std::optional<double> look_ahead;          ///< blocks; 0: without end
     std::optional<double> spindle_time;        ///< s for 1000 1/min more or less
     std::optional<CornerPassing> corner;
+    std::optional<double> servo_gain;   ///< 1/s: how fast lag is made up; 0: there is none (feed forward)
+    std::optional<double> window;       ///< mm within which an axis counts as in position
+    std::optional<double> strobe_time;  ///< s that an M function takes
 };
 
 struct MachineSpindle {
@@ -83,7 +86,7 @@ struct Machine {
     MachineSpindle spindle;
     MachineMotion motion;
     double max_feed = 0, min_feed = 0;                   ///< mm/min; 0 = not limited
-    double tool_change_time = 0;                         ///< s
+    std::optional<double> tool_change_time;              ///< s; nothing: the file does not say it
     std::optional<bool> tool_change_stops_spindle;       ///< not said: as the control does it, else mills do
     std::map<std::string, double> tool_change_position;  ///< machine coordinate by name of an axis; others stay
     ControlDefaults defaults;
@@ -94,6 +97,9 @@ struct Machine {
     std::map<std::uint32_t, geom::Vec3> datums;
     std::map<std::uint32_t, double> datum_rotations;  ///< about Z, radians; of datums that are turned
     std::map<std::string, double> machine_data;       ///< by upper-case name with its $: "$MC_…", "$MN_…"
+    /// Where values that decide times come from, in the words of the file: by "motion.jerk", "tool_change_time",
+    /// "axis.X.rapid", of all axes "axis.rapid".
+    std::map<std::string, std::string> origins;
 };
 
 }  // namespace obrys::shop

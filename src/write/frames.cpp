@@ -235,6 +235,19 @@ std::optional<std::vector<cl::FramePart>> as_one_plane(const std::vector<cl::Fra
     return out;
 }
 
+/// What a control keeps as one: shifts alone, which are one in any order. Nothing where there is more.
+std::optional<std::vector<cl::FramePart>> as_one_programmed(const std::vector<cl::FramePart>& parts, const Post& post) {
+    const std::size_t first = !parts.empty() && comes_with_zero(parts.front(), post) ? 1 : 0;
+    cl::FramePart whole{cl::FrameKind::programmed, {}};
+    for (std::size_t i = first; i < parts.size(); ++i) {
+        if (parts[i].kind != cl::FrameKind::shift) return std::nullopt;
+        whole.frame = whole.frame * parts[i].frame;
+    }
+    std::vector<cl::FramePart> out(parts.begin(), parts.begin() + static_cast<std::ptrdiff_t>(first));
+    out.push_back(whole);
+    return out;
+}
+
 bool has_plane(const std::vector<cl::FramePart>& parts) {
     return std::any_of(parts.begin(), parts.end(), [](const auto& p) { return p.kind == cl::FrameKind::plane; });
 }
@@ -248,8 +261,11 @@ bool has_twice(const std::vector<cl::FramePart>& parts, cl::FrameKind kind) {
 
 std::optional<std::vector<FrameStep>> Frames::lead_to(const cl::Frame& frame, const Post& post) {
     auto steps = post.plane_anew ? std::nullopt : lead_to_parts(frame, frame.parts, post);
-    if (steps || !(post.plane_is_whole || post.plane_anew)) return steps;
-    const auto joined = as_one_plane(frame.parts, post);
+    if (steps) return steps;
+    const bool as_plane = (post.plane_is_whole || post.plane_anew) && (post.plane_anew || has_plane(frame.parts));
+    const bool as_programmed = !as_plane && !frame.parts.empty() && post.has(Command::programmed);
+    if (!as_plane && !as_programmed) return std::nullopt;
+    const auto joined = as_plane ? as_one_plane(frame.parts, post) : as_one_programmed(frame.parts, post);
     return joined ? lead_to_parts(frame, *joined, post) : std::nullopt;
 }
 

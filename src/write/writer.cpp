@@ -75,7 +75,9 @@ bool Writer::print(Command command, std::string_view what, bool rapid) {
         return false;
     }
     const std::uint64_t line = layout_.next();
-    const Printed printed = put(command, parts_of(rapid, nullptr), what);
+    Parts parts = parts_of(rapid, nullptr);
+    if (plane_turn_ && has_part(post_[command], Part::axes)) take_axes(parts);
+    const Printed printed = put(command, parts, what);
     if (printed == Printed::failed) {
         note(Fate::lost, std::string(what) + ": a word cannot hold " + printer_.failed_word());
         return false;

@@ -179,8 +179,11 @@ bool Writer::write_place(const cl::Linear& line) {
     const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
     if (!post_.has(command) || (!said && !is_place_known(place))) {
         const geom::Vec3 p = line.to;
-        const std::string why =
-            place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command)) : "";
+        const bool nowhere =
+            place.kind == cl::PlaceKind::home && !is_place_known(place) && post_.has(Command::machine_coordinates);
+        const std::string why = place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command))
+                                : nowhere ? ", a reference point of which no home is given in the machine file,"
+                                          : "";
         note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine" + why);
         return !geom::is_finite(p);
     }

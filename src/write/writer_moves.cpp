@@ -231,7 +231,9 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const Source& frame_block = topics_[static_cast<std::size_t>(Topic::frame)];
     const bool with_plane = now_ != nullptr && frame_block == Source{now_->from, now_->stack};
     if (axes_turn && turns_with_plane(step) && write_turn(*line, from)) return;
-    counts_anew_ = (!axes_turn && turns_with_plane(step)) || is_turned_by_control(step);
+    const bool stand_anew = !axes_turn && turns_with_plane(step);
+    counts_anew_ = stand_anew || is_turned_by_control(step);
+    if (stand_anew) axes_.clear();  // the plane counts them otherwise, and they stand
     coolant_may_wait_ =
         line != nullptr && !place_ && places(line->rapid ? Command::rapid : Command::linear).has(Part::coolant);
     // The spindle of a tap reverses by itself.

@@ -5,8 +5,11 @@ usage: time_test.py OBRYS EXAMPLES
 """
 import json
 import pathlib
+import re
 import subprocess
 import sys
+import tempfile
+import xml.etree.ElementTree
 
 EXACT = 1e-9  # s
 
@@ -27,9 +30,32 @@ def faults_of(job, told):
         faults.append(f"{job}: {total} s do not lie between {low} and {high}")
     if [line["seconds"] for line in told["by_line"]] != sorted((line["seconds"] for line in told["by_line"]), reverse=True):
         faults.append(f"{job}: the slowest line is not the first")
+    if not told["values"] or any(not value["origin"] for value in told["values"]):
+        faults.append(f"{job}: a value has no origin: {told['values']}")
+    if {value["name"] for value in told["assumed"]} - {value["name"] for value in told["values"]}:
+        faults.append(f"{job}: something is assumed that is no value")
     if not told["assumed"]:
         faults.append(f"{job}: nothing is assumed of a machine that says nothing of its jerk")
     return faults
+
+
+def faults_of_plot(obrys, job):
+    """The plot is XML, its speeds end where the time does, and the ten slowest lines are named."""
+    with tempfile.TemporaryDirectory() as folder:
+        file = pathlib.Path(folder) / "time.svg"
+        run = subprocess.run([obrys, "time", job, "--svg", file, "--format", "json"], capture_output=True, text=True)
+        told = json.loads(run.stdout)
+        root = xml.etree.ElementTree.fromstring(file.read_text())
+        texts = [t.text or "" for t in root.iter("{http://www.w3.org/2000/svg}text")]
+        named = [t for t in texts if any(f":{line['line']}: " in t for line in told["by_line"][:10])]
+        paths = [p.get("d") for p in root.iter("{http://www.w3.org/2000/svg}path") if p.get("class") in ("speed", "line")]
+        faults = [] if len(paths) == 2 else [f"{job}: {len(paths)} curves"]
+        for d in paths:  # both curves come to the right end of their box
+            if max(float(x) for x in re.findall(r"[HL](\d+\.\d)", d)) < 979:
+                faults.append(f"{job}: a curve ends early")
+        if len(named) < min(10, len(told["by_line"])):
+            faults.append(f"{job}: {len(named)} lines are named")
+        return faults
 
 
 def main():
@@ -41,6 +67,7 @@ def main():
             faults.append(f"{job}: exit code {run.returncode}: {run.stderr}")
             continue
         faults += faults_of(job.name, json.loads(run.stdout))
+    faults += faults_of_plot(obrys, jobs[0])
     for fault in faults:
         print(fault)
     print(f"{len(jobs)} jobs, {len(faults)} faults")

@@ -48,6 +48,8 @@ ON_PURPOSE = {
     "parameter number 5000 lies outside R0 to R999": "R0 is the control's first R parameter",
     "G10 to G16 move in polar coordinates": "DIN/ISO's own G codes, in a DIN/ISO program",
     "it is the radius of G02, G03": "DIN/ISO's own G codes, in a DIN/ISO program",
+    " mm above and beside the zero)": "the text of the program that obrys calibrate translates",
+    "G2 X0 Y0 I": "the same",
 }
 # Messages of stages for all controls that only programs of these can bring about: how they begin, and which.
 OF_ONE = {

@@ -137,6 +137,8 @@ def bump(random, tolerance):
     mark = mark_of(program, (lo, hi) if whole else part, part, "gouge", depth, tolerance, f"bump of {half} towards {way} with {tool.keys}")
     if whole and way[1] == 0:
         mark.beside = {"rest-material"}  # on the wall across
+    if roof and depth > 0.999:  # as far as the neck stands off its slot
+        mark.beside = mark.beside | {"holder-in-stock"}
     return mark
 
 

@@ -69,6 +69,7 @@ Arguments parse(int argc, char** argv) {
                 : c.compare->parsed()   ? Command::compare
                 : c.sheet->parsed()     ? Command::sheet
                 : c.time->parsed()      ? Command::time
+                : c.calibrate->parsed() ? Command::calibrate
                 : c.post->parsed()      ? Command::post
                                         : Command::version;
     return a;

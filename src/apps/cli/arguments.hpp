@@ -13,7 +13,7 @@
 
 namespace obrys::cli {
 
-enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, post, version };
+enum class Command : int { none, check, run, plot, fmt, translate, compare, sheet, time, calibrate, post, version };
 
 struct Arguments {
     Command command = Command::none;
@@ -39,7 +39,7 @@ struct Arguments {
     std::vector<std::string> files;  ///< of fmt
     format::heidenhain::Options style;
     PostArguments post;
-    std::string to;                     ///< of translate: a post or a control
+    std::string to;                     ///< of translate and calibrate: a post or a control
     bool keep = false;                  ///< of translate: statement by statement
     int sets = 3;                       ///< of translate --keep: how many sets of other values are run
     std::string ledger;                 ///< of translate: written (.json, .html, else text); of compare: read
@@ -47,6 +47,9 @@ struct Arguments {
     bool accept_loss = false;           ///< of translate: write also what lacks something
     std::vector<std::string> variants;  ///< of time: "tolerance=0.01,0.05"
     std::size_t lines = 10;             ///< of time: how many of the slowest
+    bool advise = false;                ///< of time: on the tolerance
+    bool test_program = false;          ///< of calibrate: written, by the post `to`
+    double size = 100, feed = 6000;     ///< of it: mm, mm/min
     std::string since;                  ///< of sheet: an older one (.json)
     bool job = false;                   ///< of sheet: all programs together, too
     std::vector<std::string> map;       ///< of compare: "R3=Q3"

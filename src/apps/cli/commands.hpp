@@ -12,6 +12,7 @@ namespace obrys::cli {
 [[nodiscard]] int post(const Arguments& arguments);
 [[nodiscard]] int sheet(const Arguments& arguments);
 [[nodiscard]] int time(const Arguments& arguments);
+[[nodiscard]] int calibrate(const Arguments& arguments);
 [[nodiscard]] int compare(const Arguments& arguments);
 [[nodiscard]] int fmt(const Arguments& arguments);
 

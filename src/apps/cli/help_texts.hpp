@@ -15,6 +15,7 @@ inline constexpr const char* main_help =
     "  obrys compare PART.H P.nc                   do both make the machine do the same?\n"
     "  obrys post check my-mill.toml               what a post writes, and what its control makes of it\n"
     "  obrys sheet PART.H -o PART.pdf              tools, set-up and times for the shop\n"
+    "  obrys time PART.H --machine mill.toml       how long it takes, and on what\n"
     "  obrys fmt -i PART.H                         number and write the blocks as the control does\n";
 
 inline constexpr const char* check_help =
@@ -122,6 +123,21 @@ inline constexpr const char* time_help =
     "Exit codes: 0 timed, 1 the control would stop, so that it is not all of the program, 2 usage or unreadable "
     "input,\n"
     "3 something was not understood, or its feed is not known: not fully timed.";
+
+inline constexpr const char* calibrate_help =
+    "Fits the values of a machine file that decide times to recorded runs, says what the runs show and what they do "
+    "not,\n"
+    "and writes the file with what they show. The table (.csv) has the columns program and seconds, and where a line "
+    "is\n"
+    "for a part of the program tool, or first and last (lines); trace names a file t,x,y,z of places over time.\n"
+    "--program writes a program whose times show much, for any control.\n\n"
+    "Examples:\n"
+    "  obrys calibrate --program --to fanuc -o CALIBRATE.nc\n"
+    "  obrys calibrate mill.toml runs.csv\n"
+    "  obrys calibrate mill.toml runs.csv -o mill-calibrated.toml\n\n"
+    "Exit codes: 0 fitted, 1 --program: the post cannot say it, 2 usage or unreadable input, 3 a program is not timed "
+    "fully:\n"
+    "nothing is written.";
 
 inline constexpr const char* fmt_help =
     "Formats HEIDENHAIN programs (Klartext .H, DIN/ISO .I): numbers the blocks, one blank between words, upper case\n"

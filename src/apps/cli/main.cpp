@@ -24,6 +24,7 @@ int command(int argc, char** argv) {
         case obrys::cli::Command::post: return obrys::cli::post(arguments);
         case obrys::cli::Command::sheet: return obrys::cli::sheet(arguments);
         case obrys::cli::Command::time: return obrys::cli::time(arguments);
+        case obrys::cli::Command::calibrate: return obrys::cli::calibrate(arguments);
         case obrys::cli::Command::version: std::puts("obrys " OBRYS_VERSION); return 0;
         case obrys::cli::Command::none: break;
     }

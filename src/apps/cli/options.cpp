@@ -9,6 +9,7 @@
 #include "shop/files/obrys/machine_file.hpp"
 #include "shop/machine.hpp"
 #include "shop/nearest.hpp"
+#include "time_arguments.hpp"
 #include "words.hpp"
 #include "write/post.hpp"
 
@@ -46,6 +47,8 @@ void add_input(CLI::App& app, Arguments& a) {
         ->type_name("FILE");
 }
 
+}  // namespace
+
 void add_request(CLI::App& app, Arguments& a) {
     app.add_option("--control", a.request.control,
                    "control of the program: " + shop::joined(driver::controls()) + "; else found from the text")
@@ -82,6 +85,8 @@ void add_request(CLI::App& app, Arguments& a) {
     app.add_option("-o,--output", a.output, "write to this file instead of standard output")->type_name("FILE");
     app.add_flag("--force", a.request.force, "replace files that are there (never the inputs)");
 }
+
+namespace {
 
 /// What the verdict and the exit code count.
 void add_verdict(CLI::App& app, Arguments& a) {
@@ -223,23 +228,6 @@ CLI::App* add_sheet(CLI::App& app, Arguments& a) {
     return sheet;
 }
 
-CLI::App* add_time(CLI::App& app, Arguments& a) {
-    CLI::App* time = app.add_subcommand("time", time_help);
-    time->add_option("input", a.request.input, "a program (.MPF, .SPF, .H, .I, .ngc) or a job file (.toml)")
-        ->required()
-        ->type_name("FILE");
-    add_request(*time, a);
-    time->add_option("--format", a.format, "text or json")->check(only({"text", "json"}))->type_name("FORMAT");
-    time->add_option("--lines", a.lines, "how many of the slowest lines (10)")->type_name("N");
-    time->add_option("--compare", a.variants,
-                     "also the time with other values of the machine: tolerance=0.01,0.05 (mm), acceleration (mm/s2), "
-                     "jerk (mm/s3), block_time (s), look_ahead (blocks), corner=exact-stop,filter,blend")
-        ->type_name("NAME=VALUE,…")
-        ->allow_extra_args(false)
-        ->take_all();
-    return time;
-}
-
 }  // namespace
 
 Commands add_commands(CLI::App& app, Arguments& a) {
@@ -307,6 +295,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
     c.compare = add_compare(app, a);
     c.sheet = add_sheet(app, a);
     c.time = add_time(app, a);
+    c.calibrate = add_calibrate(app, a);
     c.post = add_post(app, a);
     c.version = app.add_subcommand("version", "prints the version");
     c.help = app.add_subcommand("help", "prints this text, or that of a command: obrys help check");
@@ -314,7 +303,7 @@ Commands add_commands(CLI::App& app, Arguments& a) {
 }
 
 void refuse_empty_names(const Commands& c) {
-    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time})
+    for (CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate})
         for (CLI::Option* option : command->get_options())
             if (option->get_type_name().find("FILE") != std::string::npos)
                 option->check(

@@ -16,11 +16,14 @@ struct Commands {
     CLI::App* compare;
     CLI::App* sheet;
     CLI::App* time;
+    CLI::App* calibrate;
     CLI::App* post;
     CLI::App* version;
     CLI::App* help;
 };
 
+/// What opens a program or a job: control, machine, tools, where called programs are, where the result goes.
+void add_request(CLI::App& app, Arguments& a);
 [[nodiscard]] Commands add_commands(CLI::App& app, Arguments& a);
 /// An empty name of a file is a variable of a script that nobody set.
 void refuse_empty_names(const Commands& c);

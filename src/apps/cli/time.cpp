@@ -1,17 +1,18 @@
 /// obrys time.
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "base/number.hpp"
 #include "base/whole.hpp"
 #include "commands.hpp"
-#include "driver/program_tools.hpp"
+#include "driver/timing/time_program.hpp"
 #include "milled.hpp"
 #include "report/time/time.hpp"
 #include "session.hpp"
-#include "sim/time/timer.hpp"
 
 namespace obrys::cli {
 
@@ -36,17 +37,24 @@ bool set_path(times::Dynamics& d, double value, double times::Limits::*path, dou
 /// False: there is no such value of a machine, or not this.
 bool set(times::Dynamics& d, const std::string& name, const std::string& value) {
     if (name == "corner") {
-        for (const auto& [word, mode] :
-             {std::pair{"exact-stop", times::CornerMode::exact_stop}, std::pair{"filter", times::CornerMode::filter},
-              std::pair{"blend", times::CornerMode::blend}})
-            if (value == word) return d.corner = mode, true;
-        return false;
+        const auto found = std::find(times::corner_names.begin(), times::corner_names.end(), value);
+        if (found == times::corner_names.end()) return false;
+        d.corner = static_cast<times::CornerMode>(found - times::corner_names.begin());
+        return true;
     }
     const std::optional<double> number = base::parse_double(value);
     if (!number || !std::isfinite(*number) || *number < 0) return false;
+    if (name == "servo_gain") {
+        if (!(d.window > 0)) d.window = 0.01;
+        return d.servo_gain = *number, true;
+    }
+    if (name == "tool_change_time") return d.tool_change = *number, true;
+    if (name == "spindle_time") return d.spindle_time = *number, true;
+    if (name == "strobe_time") return d.strobe_time = *number, true;
     if (name == "block_time") return d.block_time = *number, true;
     if (name == "look_ahead") return d.look_ahead = base::clipped<std::size_t>(*number, 0, 1'000'000'000), true;
     if (*number == 0) return false;
+    if (name == "window") return d.window = *number, true;
     if (name == "tolerance") return d.tolerance = *number, true;
     if (name == "acceleration")
         return set_path(d, *number, &times::Limits::acceleration, &times::AxisLimits::acceleration);
@@ -67,7 +75,8 @@ bool read_variants(const std::vector<std::string>& texts, const times::Dynamics&
             if (!set(v.dynamics, name, value)) {
                 std::fprintf(stderr,
                              "obrys: --compare %s: must be of the form tolerance=0.01,0.05; names: tolerance, "
-                             "acceleration, jerk (above 0), block_time, look_ahead, corner\n",
+                             "acceleration, jerk, window (above 0), block_time, look_ahead, servo_gain, spindle_time, "
+                             "strobe_time, tool_change_time, corner\n",
                              text.c_str());
                 return false;
             }
@@ -79,38 +88,39 @@ bool read_variants(const std::vector<std::string>& texts, const times::Dynamics&
     return true;
 }
 
-std::string not_whole(int code) {
-    if (code == 1) return "the control would stop with an alarm";
-    if (code == 3) return "something was not understood or not run";
-    return {};
-}
+/// Other tolerances in the place of the program's, mm.
+constexpr std::array advised{0.002, 0.005, 0.01, 0.02, 0.05, 0.1};
 
 }  // namespace
 
 int time(const Arguments& a) {
     driver::Session s;
     if (!open(a, s)) return 2;
-    for (shop::Tool& tool : driver::program_tools(*s.main, s.job.tools, s.diagnostics))
-        s.job.tools.push_back(std::move(tool));
-    const times::Dynamics as_it_is = times::dynamics_of(s.job.machine);
+    const times::Dynamics as_it_is = driver::dynamics_of(s);
     std::vector<Variant> variants{{"", as_it_is}};
     if (!read_variants(a.variants, as_it_is, variants)) return 2;
-    std::vector<times::Timer> timers;
-    for (const Variant& v : variants) timers.emplace_back(s.job.tools, v.dynamics);
-    static_cast<void>(driver::interpret(s, [&](const cl::Record& record) {
-        for (times::Timer& t : timers) t.take(record);
-    }));
+    // A page of text names the slowest lines alone: what the others took need not be kept.
+    constexpr std::size_t kept_places = 20'000, samples = 2'000;
+    std::vector<driver::Timing> timings;
+    for (const Variant& v : variants) timings.push_back({v.dynamics, {std::max(a.lines, kept_places), 0, {}}});
+    if (a.format == "json") timings.front().options.places = 0;
+    if (!a.svg.empty()) timings.front().options.samples = samples;
+    if (a.advise)
+        for (const double mm : advised) timings.push_back({as_it_is, {1, 0, mm}});
+    std::vector<driver::Timed> timed = driver::time_program(s, timings);
     int code = driver::exit_code_of_run(s);
-    report::time::Subject subject{s.program,        s.control, s.job.machine.name, not_whole(code), {},
-                                  as_it_is.assumed, false};
-    for (std::size_t i = 0; i < timers.size(); ++i) subject.variants.push_back({variants[i].name, timers[i].finish()});
-    subject.any_assumed_dynamics =
-        std::any_of(as_it_is.assumed.begin(), as_it_is.assumed.end(),
-                    [](const times::Assumed& v) { return v.name == "motion.acceleration" || v.name == "motion.jerk"; });
+    report::time::Subject subject{
+        s.program, s.control, s.job.machine.name, driver::not_whole(code), {}, as_it_is.values, {}, {}};
+    for (std::size_t i = 0; i < variants.size(); ++i)
+        subject.variants.push_back({variants[i].name, std::move(timed[i].times)});
+    subject.tolerances = timed.front().tolerances;
+    for (std::size_t i = variants.size(); i < timed.size(); ++i)
+        subject.advised.push_back({advised[i - variants.size()], times::sum(timed[i].times.all)});
     print_diagnostics(s, base::Severity::warning);
     if (code == 2 || !may_write(a, s) || s.files->failed()) return 2;
     const times::Times& first = subject.variants.front().times;
     if (code == 0 && !first.is_understood()) code = 3;
+    if (!a.svg.empty() && !deliver(a.svg, report::time::as_svg(subject, timed.front().curve, s.sources))) return 2;
     const std::string text = a.format == "json" ? report::time::as_json(subject, s.sources)
                                                 : report::time::as_text(subject, s.sources, {a.lines});
     return deliver(a.output, text) ? code : 2;

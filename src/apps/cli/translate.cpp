@@ -24,10 +24,12 @@ void print(const driver::Settled& settled, const write::Post& post) {
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
     if (proved.why_not.empty())
-        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s\n",
+        std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
                      t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     of_increments(proved).c_str(), proved.feeds_rounded ? ", feeds as their words hold them" : "",
+                     of_increments(proved).c_str(),
+                     proved.planes_rounded ? ", tilted planes as the words of their angles hold them" : "",
+                     proved.feeds_rounded ? ", feeds as their words hold them" : "",
                      proved.speeds_rounded ? ", speeds as their words hold them" : "");
 }
 

@@ -64,8 +64,8 @@ bool print_help(const std::string& topic) {
     CLI::App app(main_help, "obrys");  // help of one that has parsed a command is that of the command
     const Commands c = add_commands(app, unused);
     if (topic.empty()) return std::fputs(app.help().c_str(), stdout) >= 0;
-    for (const CLI::App* command :
-         {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.post, c.version, c.help})
+    for (const CLI::App* command : {c.check, c.run, c.plot, c.fmt, c.translate, c.compare, c.sheet, c.time, c.calibrate,
+                                    c.post, c.version, c.help})
         if (command->get_name() == topic) return std::fputs(command->help("obrys").c_str(), stdout) >= 0;
     std::cerr << "obrys help: " << no_command(topic);
     return false;

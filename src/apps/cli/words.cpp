@@ -11,8 +11,8 @@ namespace obrys::cli {
 namespace {
 
 const std::vector<std::string>& commands() {
-    static const std::vector<std::string> words{"check", "run",  "plot", "fmt",     "translate", "compare",
-                                                "sheet", "time", "post", "version", "help"};
+    static const std::vector<std::string> words{"check", "run",  "plot",      "fmt",  "translate", "compare",
+                                                "sheet", "time", "calibrate", "post", "version",   "help"};
     return words;
 }
 

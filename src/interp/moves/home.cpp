@@ -54,12 +54,11 @@ void to_home(Moving& run, bool all) {
     geom::Vec3 to = run.position;
     cl::MachinePlace place;
     place.kind = cl::PlaceKind::home;
-    const Axes& tip = tip_in_use(o);
     for (std::size_t k = 0; k < 9; ++k) {
         if (all ? is_absent(run, k) : !run.block.has(axis_code(static_cast<int>(k)))) continue;
         const double home = home_of(run, k);
         if (k < 3)
-            coordinate(to, static_cast<int>(k)) = home - o.reference[k] - tip[k], place.axes[k] = true,
+            coordinate(to, static_cast<int>(k)) = home - machine_ahead(run, k), place.axes[k] = true,
                            coordinate(place.to, static_cast<int>(k)) = home;
         else if (run.extra_axes.contains(axis_name(k)))
             emit_other_axis(run, k, home - o.reference[k]);

@@ -12,19 +12,7 @@ namespace codes = base::codes;
 
 namespace {
 
-/// What machine coordinates lie ahead of stream coordinates; NaN where the datum is not known, or is turned against the
-/// machine.
-double ahead(const Reckoning& run, int k) {
-    const shop::Machine& m = run.env.machine;
-    if (keeps_offsets(run)) {
-        const Offsets& o = run.offsets;
-        const auto axis = static_cast<std::size_t>(k);
-        return run.datum_known && is_datum_given(run, axis) ? o.reference[axis] + tip_in_use(o)[axis] : unknown_number;
-    }
-    const auto known = m.datums.find(run.reference_datum);
-    if (known == m.datums.end() || (k < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown_number;
-    return coordinate(known->second, k);
-}
+double ahead(const Reckoning& run, int k) { return machine_ahead(run, static_cast<std::size_t>(k)); }
 
 double from_machine(const Reckoning& run, int k, double machine) {
     const bool along_tool = k == plane_axes(run.modal.plane).w;

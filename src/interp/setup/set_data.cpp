@@ -31,13 +31,21 @@ std::optional<int> whole(Moving& run, Code code, const char* letter, int most) {
     return std::nullopt;
 }
 
+/// As machine_coordinate, of a machine whose zero is taken to lie at 0 where nobody knows it: how far that zero goes on
+/// does not depend on its place.
+double counted_coordinate(const Reckoning& run, std::size_t axis) {
+    const Offsets& o = run.offsets;
+    return axis < 3 ? coordinate(run.position, static_cast<int>(axis)) + o.reference[axis] + tip_in_use(o)[axis]
+                    : machine_coordinate(run, axis);
+}
+
 /// Coordinates in a zero offset with this place in the parameters, as they would be programmed there, without G92.
 Axes coordinates_in(const Reckoning& run, std::uint32_t first) {
     const program::OffsetParameters& p = run.traits->offsets;
     Axes c{};
     for (std::size_t k = 0; k < 9; ++k) {
         const double unit = stored_unit(run, k);
-        c[k] = machine_coordinate(run, k) - run.offsets.tool[k] -
+        c[k] = counted_coordinate(run, k) - run.offsets.tool[k] -
                run.parameters.get(first + static_cast<std::uint32_t>(k)) * unit;
     }
     const double turn = p.rotation == 0 ? 0 : geom::radians(run.parameters.get(first + p.rotation));
@@ -76,6 +84,14 @@ void tell_zero(Moving& run, std::uint32_t number, std::uint32_t first, unsigned 
     emit(run, data);
 }
 
+/// A zero has been set by where the machine stands: known where that is.
+void take_from_position(Moving& run, std::uint32_t parameter, std::size_t axis, bool in_force) {
+    if (std::isnan(machine_coordinate(run, axis)))
+        run.parameters.doubt(parameter);
+    else if (!in_force)
+        run.parameters.mark_set(parameter);
+}
+
 void set_datum_data(Moving& run, bool from_position) {
     const program::OffsetParameters& p = run.traits->offsets;
     const auto which = whole(run, Code::p, "P", static_cast<int>(p.datum_count));
@@ -101,7 +117,8 @@ void set_datum_data(Moving& run, bool from_position) {
             run.parameters.add(n, step[k] / unit);
         else if (v)
             run.parameters.set(n, *axis_word(run, k) / unit);
-        if (from_position && place != active && v) run.parameters.mark_set(n);
+        if (from_position && v) take_from_position(run, n, k, place == active);
+        if (v && k < 3) known = known && (!from_position || run.parameters.is_set(n));
     }
     tell_zero(run, number_of_place(place), first, said, known);
     if (place != active) return hear(run, heard::OtherZero{});

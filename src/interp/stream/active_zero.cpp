@@ -153,7 +153,7 @@ void begin_offsets(Telling& run) {
 
 geom::Frame offset_frame(Telling& run) {
     Offsets& o = run.offsets;
-    if (!run.moved) {  // nothing is in the stream yet: it is counted from here
+    if (!run.moved && !run.told.begun) {  // nothing is in the stream yet: it is counted from here
         for (int k = 0; k < 3; ++k)
             coordinate(run.position, k) +=
                 o.reference[static_cast<std::size_t>(k)] - o.datum[static_cast<std::size_t>(k)];

@@ -30,12 +30,6 @@ double axis_value(const Reckoning& run, std::size_t axis, bool machine) {
     return in_program_unit(run, axis, at);
 }
 
-/// Machine coordinates count from the machine's zero: how far the workpiece lies from it must be known.
-double machine_value(const Reckoning& run, std::size_t axis) {
-    const bool placed = !keeps_offsets(run) || axis >= 3 || (run.datum_known && is_datum_given(run, axis));
-    return placed ? axis_value(run, axis, true) : unknown_number;
-}
-
 double table_column(const Reckoning& run, std::size_t column) {
     const shop::Tool* t = run.tool.data;
     if (!run.tool.known) return unknown_number;
@@ -108,7 +102,7 @@ double state(const Reckoning& run, StateQuery q) {
     if (q >= StateQuery::x && q <= StateQuery::w)
         return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::x), false);
     if (q >= StateQuery::machine_x && q <= StateQuery::machine_w)
-        return machine_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x));
+        return axis_value(run, static_cast<std::size_t>(q) - static_cast<std::size_t>(StateQuery::machine_x), true);
     switch (q) {
         case StateQuery::line: return run.env.sources.position(run.unit().file, run.here().begin).line;
         case StateQuery::version_major: return 2.9;
@@ -148,7 +142,7 @@ double known_live_value(const Reckoning& run, SystemVariable v, double index) {
     switch (v) {
         case SystemVariable::state: return state(run, static_cast<StateQuery>(base::clipped<int>(index, 0, 99'999)));
         case SystemVariable::coordinate: return axis_value(run, axis, false);
-        case SystemVariable::machine_coordinate: return machine_value(run, axis);
+        case SystemVariable::machine_coordinate: return axis_value(run, axis, true);
         case SystemVariable::tool_table_column: return table_column(run, base::clipped<std::size_t>(index, 0, 13));
         default: return unknown_number;
     }

@@ -54,11 +54,29 @@ double axis_coordinate(const Reckoning& run, std::size_t axis) {
     return found == run.extra_axes.end() ? unknown_number : found->second - run.offsets.total[axis];
 }
 
-double machine_coordinate(const Reckoning& run, std::size_t axis) {
+namespace {
+
+/// As machine_ahead, of a control whose offsets are kept in parameters.
+double kept_ahead(const Reckoning& run, std::size_t axis) {
     const Offsets& o = run.offsets;
-    if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + o.reference[axis] + tip_in_use(o)[axis];
+    const bool known = run.datum_known && is_datum_given(run, axis) && o.given[axis];
+    return known ? o.reference[axis] + tip_in_use(o)[axis] : unknown_number;
+}
+
+}  // namespace
+
+double machine_ahead(const Reckoning& run, std::size_t axis) {
+    if (keeps_offsets(run)) return kept_ahead(run, axis);
+    const shop::Machine& m = run.env.machine;
+    const auto known = m.datums.find(run.reference_datum);
+    if (known == m.datums.end() || (axis < 2 && m.datum_rotations.contains(run.reference_datum))) return unknown_number;
+    return coordinate(known->second, static_cast<int>(axis));
+}
+
+double machine_coordinate(const Reckoning& run, std::size_t axis) {
+    if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + machine_ahead(run, axis);
     const double at = axis_coordinate(run, axis);
-    return at + o.total[axis] + o.reference[axis];
+    return at + run.offsets.total[axis] + run.offsets.reference[axis];
 }
 
 }  // namespace obrys::interp

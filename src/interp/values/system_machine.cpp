@@ -25,12 +25,11 @@ Value known_or_unknown(const Access& a, double v, const std::string& why) {
 
 Value machine_position(const Access& a) {
     const std::string axis = axis_of(a.run, a.id(0));
-    const auto datum = a.run.env.machine.datums.find(a.run.reference_datum);
-    for (int k = 0; k < 3; ++k) {
+    for (std::size_t k = 0; k < 3; ++k) {
         if (axis.size() != 1 || axis[0] != "XYZ"[k]) continue;
-        if (datum == a.run.env.machine.datums.end())
-            return unknown_value(a, "the machine position is not known without the zero offset");
-        return known_or_unknown(a, coordinate(a.run.position, k) + coordinate(datum->second, k),
+        const double ahead = machine_ahead(a.run, k);
+        if (std::isnan(ahead)) return unknown_value(a, "the machine position is not known without the zero offset");
+        return known_or_unknown(a, coordinate(a.run.position, static_cast<int>(k)) + ahead,
                                 "the axis has not been positioned yet");
     }
     return known_or_unknown(a, programmed_coordinate(a.run, axis), "the axis has not been positioned yet");

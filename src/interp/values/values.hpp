@@ -248,7 +248,10 @@ inline constexpr const char* no_tool_said =
 [[nodiscard]] bool holds_active_datum(const Reckoning&, std::uint32_t parameter);
 /// Programmed coordinate of an axis (0 … 8) as the program would write it now; NaN where it is not known.
 [[nodiscard]] double axis_coordinate(const Reckoning&, std::size_t axis);
-/// The same in machine coordinates, mm or degrees.
+/// What machine coordinates of X, Y, Z (0 … 2) lie ahead of the stream's; NaN where nobody has said where the zero lies
+/// in the machine, or it is turned against it. The one way from a place of the machine to one on the workpiece.
+[[nodiscard]] double machine_ahead(const Reckoning&, std::size_t axis);
+/// Programmed coordinate in machine coordinates, mm or degrees; NaN where it is not known there.
 [[nodiscard]] double machine_coordinate(const Reckoning&, std::size_t axis);
 /// Parameter that holds X of a zero offset; nothing for one that is kept nowhere.
 [[nodiscard]] inline std::optional<std::uint32_t> first_of_datum(const Saying& run, std::uint32_t number) {

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "base/number.hpp"
 #include "cl/unknown_tool.hpp"
 #include "report/clock.hpp"
+#include "report/time/parts.hpp"
 
 namespace obrys::report::time {
 
@@ -17,51 +18,6 @@ using sim::time::sum;
 using sim::time::Times;
 
 namespace {
-
-using OrderedJson = nlohmann::ordered_json;
-
-/// What the axes' limits decide: it would be half as long with axes twice as quick.
-double lost(const Seconds& s) {
-    double seconds = 0;
-    for (const Cause c : {Cause::acceleration, Cause::corner, Cause::curvature, Cause::look_ahead, Cause::exact_stop})
-        seconds += s[static_cast<std::size_t>(c)];
-    return seconds;
-}
-
-std::string seconds(double s) { return base::fixed(s, s < 100 ? 2 : 1) + " s"; }
-
-std::string percent(double part, double all) { return base::fixed(all > 0 ? 100 * part / all : 0, 1) + " %"; }
-
-Cause largest(const Seconds& s, bool feed_too) {
-    std::size_t best = feed_too ? 0 : 2;
-    for (std::size_t i = best; i < s.size(); ++i)
-        if (s[i] > s[best]) best = i;
-    return static_cast<Cause>(best);
-}
-std::string_view name_of(Cause c) { return sim::time::cause_names[static_cast<std::size_t>(c)]; }
-
-struct Line {
-    std::uint32_t file = 0, line = 0;
-    Seconds seconds{};
-};
-
-/// Blocks of one line together, the slowest first.
-std::vector<Line> slow_lines(const Times& t, const base::Sources& sources) {
-    std::vector<Line> lines;
-    Place last;
-    for (const sim::time::Spent& spent : t.places) {  // in their order, so that those of a line stand together
-        if (lines.empty() || spent.place != last) {
-            const std::uint32_t line = sources.position(spent.place.file, spent.place.begin).line;
-            if (lines.empty() || lines.back().file != spent.place.file || lines.back().line != line)
-                lines.push_back({spent.place.file, line, {}});
-            last = spent.place;
-        }
-        lines.back().seconds[static_cast<std::size_t>(spent.cause)] += spent.seconds;
-    }
-    std::stable_sort(lines.begin(), lines.end(),
-                     [](const Line& a, const Line& b) { return sum(a.seconds) > sum(b.seconds); });
-    return lines;
-}
 
 std::string padded(std::string text, std::size_t width, bool right = false) {
     if (text.size() >= width) return text;
@@ -77,14 +33,14 @@ std::string tool_name(std::uint32_t number) {
 }
 
 void put_lines(std::string& out, const Times& t, const base::Sources& sources, std::size_t most) {
-    const std::vector<Line> lines = slow_lines(t, sources);
+    const std::vector<Line> lines = slow_lines(t, sources, most);
     if (lines.empty() || most == 0) return;
     const double all = sum(t.all);
-    out += "\nslowest lines:\n";
+    out += t.places_short ? "\nslowest lines, of those that were kept:\n" : "\nslowest lines:\n";
     for (std::size_t i = 0; i < std::min(most, lines.size()); ++i) {
         const Line& l = lines[i];
-        out += "  " + padded(seconds(sum(l.seconds)), 12, true) + padded(percent(sum(l.seconds), all), 9, true) + "  " +
-               padded(std::string(name_of(largest(l.seconds, true))), 13) + sources[l.file].name + ":" +
+        out += "  " + padded(seconds(l.all), 12, true) + padded(percent(l.all, all), 9, true) + "  " +
+               padded(std::string(name_of(largest(l.seconds))), 13) + sources[l.file].name + ":" +
                std::to_string(l.line) + ": " + std::string(sources.line(l.file, l.line)) + "\n";
     }
 }
@@ -121,25 +77,61 @@ void put_unknown(std::string& out, const Subject& s, const base::Sources& source
                (t.from_nowhere == 1 ? std::string("the first rapid move, which begins")
                                     : "the first " + std::to_string(t.from_nowhere) + " rapid moves, which begin") +
                " where nobody knows\n";
+    if (t.probings > 0)
+        out += "timed to their end: " + std::to_string(t.probings) +
+               " probing moves, which are over where the probe touches\n";
     if (t.untimed_dwells > 0)
         out += "not fully timed: " + std::to_string(t.untimed_dwells) +
                " dwells in revolutions of a spindle whose speed is not known\n";
 }
 
+void put_assumed(std::string& out, const std::vector<sim::time::Value>& values) {
+    bool any = false;
+    for (const sim::time::Value& v : values) {
+        if (!v.assumed) continue;
+        if (!std::exchange(any, true)) out += "\nassumed of the machine:\n";
+        out += "  " + v.name + " = " +
+               (std::isnan(v.value) ? "\"" + v.unit + "\"" : base::shortest(v.value) + " " + v.unit) +
+               (v.origin == "assumed" ? "" : " (" + v.origin + ")") + "\n";
+    }
+}
+
 }  // namespace
 
-Range range_of(const Subject& s) {
-    const Seconds& all = s.variants.front().times.all;
-    const double total = sum(all);
-    if (!s.any_assumed_dynamics) return {total, total};
-    // Ramps take half the time where acceleration is twice and jerk four times as high.
-    return {total - lost(all) / 2, total + lost(all)};
+std::string seconds(double s) { return base::fixed(s, s < 100 ? 2 : 1) + " s"; }
+
+std::string percent(double part, double all) { return base::fixed(all > 0 ? 100 * part / all : 0, 1) + " %"; }
+
+std::string_view name_of(Cause c) { return sim::time::cause_names[static_cast<std::size_t>(c)]; }
+
+Cause largest(const Seconds& s) { return static_cast<Cause>(std::max_element(s.begin(), s.end()) - s.begin()); }
+
+std::vector<Line> slow_lines(const Times& t, const base::Sources& sources, std::size_t most) {
+    std::vector<Line> lines;
+    Place last;
+    for (const sim::time::Spent& spent : t.places) {  // in their order, so that those of a line stand together
+        if (lines.empty() || spent.place != last) {
+            const std::uint32_t line = sources.position(spent.place.file, spent.place.begin).line;
+            if (lines.empty() || lines.back().file != spent.place.file || lines.back().line != line)
+                lines.push_back({spent.place.file, line, spent.place.begin, 0, {}});
+            last = spent.place;
+        }
+        lines.back().seconds[static_cast<std::size_t>(spent.cause)] += spent.seconds;
+    }
+    for (Line& l : lines) l.all = sum(l.seconds);
+    const auto slower = [](const Line& a, const Line& b) {
+        return std::tuple(-a.all, a.file, a.line) < std::tuple(-b.all, b.file, b.line);
+    };
+    const std::size_t n = std::min(most, lines.size());
+    std::partial_sort(lines.begin(), lines.begin() + static_cast<std::ptrdiff_t>(n), lines.end(), slower);
+    lines.resize(n);
+    return lines;
 }
 
 std::string as_text(const Subject& s, const base::Sources& sources, const Options& options) {
     const Times& t = s.variants.front().times;
     const double all = sum(t.all);
-    const Range range = range_of(s);
+    const Range range = range_of(t, s.values);
     std::string out = s.name + " (" + s.control + ") on " + s.machine + "\n";
     put_unknown(out, s, sources);
     out += "estimated time: " + std::string(s.not_whole.empty() && t.is_whole() ? "" : "at least ") + seconds(all) +
@@ -155,66 +147,9 @@ std::string as_text(const Subject& s, const base::Sources& sources, const Option
     }
     put_lines(out, t, sources, options.lines);
     put_variants(out, s);
-    if (!s.assumed.empty()) {
-        out += "\nassumed, as the machine file does not say it:\n";
-        for (const sim::time::Assumed& a : s.assumed)
-            out += "  " + a.name + " = " +
-                   (std::isnan(a.value) ? "\"" + a.unit + "\"" : base::shortest(a.value) + " " + a.unit) + "\n";
-    }
+    put_tolerances(out, s, sources);
+    put_assumed(out, s.values);
     return out;
-}
-
-namespace {
-
-OrderedJson causes_json(const Seconds& s) {
-    OrderedJson out = OrderedJson::object();
-    for (std::size_t i = 0; i < s.size(); ++i)
-        if (s[i] != 0) out[std::string(sim::time::cause_names[i])] = s[i];
-    return out;
-}
-
-}  // namespace
-
-std::string as_json(const Subject& s, const base::Sources& sources) {
-    const Times& t = s.variants.front().times;
-    const Range range = range_of(s);
-    OrderedJson out{
-        {"format", "obrys-time"}, {"version", 1}, {"program", s.name}, {"control", s.control}, {"machine", s.machine}};
-    out["total_s"] = sum(t.all);
-    out["range_s"] = {range.low, range.high};
-    out["complete"] = s.not_whole.empty() && t.is_whole();
-    out["not_whole"] = s.not_whole.empty() ? OrderedJson(nullptr) : OrderedJson(s.not_whole);
-    out["moves"] = t.moves;
-    out["path_mm"] = t.way;
-    out["unplaced_moves"] = t.from_nowhere;
-    out["untimed_moves"] = t.untimed;
-    out["untimed_dwells"] = t.untimed_dwells;
-    out["untimed_speeds"] = t.untimed_speeds;
-    out["stops"] = t.stops;
-    out["causes"] = causes_json(t.all);
-    out["tools"] = OrderedJson::array();
-    for (const auto& [number, spent] : t.tools)
-        out["tools"].push_back({{"number", number == cl::unknown_tool ? OrderedJson(nullptr) : OrderedJson(number)},
-                                {"seconds", sum(spent)},
-                                {"causes", causes_json(spent)}});
-    out["by_line"] = OrderedJson::array();
-    for (const Line& l : slow_lines(t, sources))
-        out["by_line"].push_back({{"file", sources[l.file].name},
-                                  {"line", l.line},
-                                  {"seconds", sum(l.seconds)},
-                                  {"cause", name_of(largest(l.seconds, true))},
-                                  {"causes", causes_json(l.seconds)}});
-    out["assumed"] = OrderedJson::array();
-    for (const sim::time::Assumed& a : s.assumed)
-        out["assumed"].push_back({{"name", a.name},
-                                  {"value", std::isnan(a.value) ? OrderedJson(a.unit) : OrderedJson(a.value)},
-                                  {"unit", std::isnan(a.value) ? OrderedJson(nullptr) : OrderedJson(a.unit)}});
-    out["variants"] = OrderedJson::array();
-    for (std::size_t i = 1; i < s.variants.size(); ++i)
-        out["variants"].push_back({{"name", s.variants[i].name},
-                                   {"total_s", sum(s.variants[i].times.all)},
-                                   {"causes", causes_json(s.variants[i].times.all)}});
-    return out.dump(2) + "\n";
 }
 
 }  // namespace obrys::report::time

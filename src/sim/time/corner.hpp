@@ -3,7 +3,9 @@
 /// Source: shared spec physics.md (a) 2: a triangular time filter rounds the corner (deviation v tau s/6, acceleration
 /// 4 v s/tau, jerk 8 v s/tau^2, s the sine of half the turn), or an arc is laid into it.
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "sim/time/span.hpp"
 
@@ -14,6 +16,9 @@ enum class CornerMode : std::uint8_t {
     filter,      ///< the positions are filtered over a time (HEIDENHAIN, high-speed settings of others)
     blend,       ///< a tangent arc is laid into it (G64 P, G642, M90)
 };
+
+/// As machine files and --compare spell them.
+inline constexpr std::array<std::string_view, 3> corner_names{"exact-stop", "filter", "blend"};
 
 enum class CornerLimit : std::uint8_t { none, acceleration, jerk, stop };
 

@@ -13,11 +13,13 @@
 
 namespace obrys::sim::time {
 
-/// A value that the machine file does not say.
-struct Assumed {
+/// What a time rests on: a value of the machine, and where it is from.
+struct Value {
     std::string name;  ///< as its key in machine files
-    double value = 0;
+    double value = 0;  ///< NaN: `unit` is the word
     std::string unit;
+    std::string origin;    ///< in the words of the machine file
+    bool assumed = false;  ///< the file does not say it, or says that it is assumed
 };
 
 struct AxisLimits {
@@ -34,12 +36,22 @@ struct Dynamics {
     std::size_t look_ahead = 0;       ///< blocks; 0: without end
     double tool_change = 0;           ///< s
     double spindle_time = 0;          ///< s for 1000 1/min more or less
+    double servo_gain = 0;            ///< 1/s; 0: no lag
+    double window = 0;                ///< mm in which an axis counts as in position
+    double strobe_time = 0;           ///< s for an M function
+    double feed_override = 1;         ///< of all programmed feeds
+    bool dog_leg = false;             ///< each axis goes at its own rapid
     double highest_speed = INFINITY;  ///< of the spindle, 1/min
     double most_feed = INFINITY;      ///< mm/s
-    std::vector<Assumed> assumed;
+    std::vector<Value> values;
 };
 
-[[nodiscard]] Dynamics dynamics_of(const shop::Machine& machine);
+/// `rapids`: how the control ends rapid moves of several axes, where the machine file does not say it.
+[[nodiscard]] Dynamics dynamics_of(const shop::Machine& machine, shop::RapidPath rapids = shop::RapidPath::straight);
+
+/// What an exact stop costs after motion at this speed: the lag falls by a factor e every 1 / `gain` s until the axis
+/// is in its window. Source: shared spec physics.md (a) 6.
+[[nodiscard]] double settling_time(double speed, double gain, double window);
 
 /// What the axes allow along a direction.
 struct WayLimits {

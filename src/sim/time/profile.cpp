@@ -200,7 +200,11 @@ private:
 
     bool lean_at(std::uint32_t i) {
         Node &b = nodes_[i], &a = nodes_[b.before], &c = nodes_[b.next];
-        const bool up = a.speed < b.speed && b.speed<c.speed, down = a.speed> b.speed && b.speed > c.speed;
+        // The speed goes on to rise behind a place that is come to by a rise, also where the next one is slower again.
+        const double through = b.speed * (1 + speed_noise);
+        const bool rises = a.span.peak <= through && b.span.peak > through,
+                   falls = a.span.peak > through && b.span.peak <= through;
+        const bool up = a.speed < b.speed && rises, down = b.speed > c.speed && falls;
         if (!up && !down) return false;
         const Limits left = limits(b.before, i), right = limits(i, b.next);
         const double most = std::min(left.acceleration, right.acceleration);
@@ -293,8 +297,15 @@ void limit_to_known(std::span<Block> blocks, std::size_t depth, base::FunctionRe
 }
 
 std::vector<BlockTime> block_times(std::span<const Block> blocks, const Profile& profile) {
-    std::vector<BlockTime> times(blocks.size());
-    for (std::size_t n = 0; n < profile.spans.size(); ++n) {
+    std::vector<BlockTime> times;
+    block_times(blocks, profile, profile.spans.size(), times);
+    return times;
+}
+
+void block_times(std::span<const Block> blocks, const Profile& profile, std::size_t spans,
+                 std::vector<BlockTime>& times) {
+    times.resize(blocks.size());
+    for (std::size_t n = 0; n < spans; ++n) {
         const Span& span = profile.spans[n];
         const std::uint32_t from = profile.places[n].block, to = profile.places[n + 1].block;
         Walk walk(span);
@@ -308,7 +319,6 @@ std::vector<BlockTime> block_times(std::span<const Block> blocks, const Profile&
             before = now;
         }
     }
-    return times;
 }
 
 }  // namespace obrys::sim::time

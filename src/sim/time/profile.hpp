@@ -47,6 +47,9 @@ struct BlockTime {
     double rising = 0;  ///< of them, those before the top of the curve that the block lies in
     double speed = 0;   ///< at its end
 };
+/// Of the blocks in the first `spans` of the profile.
+void block_times(std::span<const Block> blocks, const Profile& profile, std::size_t spans,
+                 std::vector<BlockTime>& times);
 [[nodiscard]] std::vector<BlockTime> block_times(std::span<const Block> blocks, const Profile& profile);
 
 }  // namespace obrys::sim::time

@@ -8,18 +8,31 @@
 
 #include "motion/cursor.hpp"
 #include "sim/time/dynamics.hpp"
+#include "sim/time/ledger.hpp"
 #include "sim/time/profile.hpp"
+#include "sim/time/speed_curve.hpp"
 #include "sim/time/times.hpp"
+#include "sim/time/tolerance_use.hpp"
 
 namespace obrys::sim::time {
+
+/// What is kept besides the sums.
+struct TimerOptions {
+    std::size_t places = 0;                     ///< so many of the slowest ones at least; 0: all
+    std::size_t samples = 0;                    ///< of speed over time; 0: none
+    std::optional<double> contour_tolerance{};  ///< mm: in the place of what the program says
+};
 
 class Timer {
 public:
     /// `tools` outlives the timer.
-    Timer(std::span<const shop::Tool> tools, Dynamics dynamics);
+    Timer(std::span<const shop::Tool> tools, Dynamics dynamics, const TimerOptions& options = {});
     void take(const cl::Record& record);
     /// Behind the last record; to be called once.
     [[nodiscard]] Times finish();
+    /// Behind `finish`, where samples were asked for.
+    [[nodiscard]] const SpeedCurve& curve() const { return curve_; }
+    [[nodiscard]] const std::vector<ToleranceUse>& tolerances() const { return tolerances_; }
 
 private:
     /// A block of the path that waits for its profile.
@@ -42,6 +55,15 @@ private:
     void take_move(const motion::Step& step);
     [[nodiscard]] Turns take_turns(const cl::Step& step);
     void take_turn(const motion::Step& step, const Turns& turns);
+    /// Each axis at its own rapid; false where the machine does not go so, or this is no such move.
+    bool take_dog_leg(const motion::Step& step, const Turns& turns);
+    /// Waits until the spindle has followed a cutting speed that is held to where the next cut begins.
+    void await_spindle(const motion::Step& step);
+    void take_m_function(const base::Span& from);
+    /// How far the control may leave a corner, and how the lines lie beside that.
+    [[nodiscard]] double tolerance_at(const motion::Step& step) const;
+    [[nodiscard]] bool is_exact(const motion::Step& step) const;
+    ToleranceUse& use_of(double tolerance, const motion::Step& step);
     void add(const motion::Step& step, double length, const geom::Vec3& from, const geom::Vec3& to, double curvature,
              const Turns& turns);
     void join(const geom::Vec3& direction, double length, const motion::Step& step);
@@ -56,7 +78,15 @@ private:
     void look_ahead();
     /// Plans what waits and spends the time up to a place well before the end of it, where it goes on.
     void plan_piece();
+    void plan_half(const Profile& whole);
+    /// Looks whether there is enough to plan a piece.
+    void wait(const Block& block);
+    void draw(const Span& span, double from, double seconds, const Place& place);
     void spend_blocks(const Profile& profile, std::size_t spans);
+    /// At an exact stop behind motion as fast as this: until the axes stand in their window.
+    void settle(const Piece& piece, double speed);
+    /// The first `count` blocks are done.
+    void drop(std::size_t count);
     [[nodiscard]] Cause cause_at(std::uint32_t place, const Block& block) const;
 
     Dynamics dynamics_;
@@ -64,14 +94,29 @@ private:
     Times times_;
     std::vector<Block> blocks_;
     std::vector<Piece> pieces_;
+    std::vector<BlockTime> block_times_;
+    struct Waiting {
+        double way = 0, speed = 0;  ///< mm, the fastest
+        Limits least{INFINITY, INFINITY};
+        std::size_t next = 0;  ///< blocks, with fewer than these no piece is planned
+    } waiting_;
     Seconds* tool_ = nullptr;  ///< of the tool that was spent for last
     std::uint32_t tool_number_ = 0;
-    std::size_t merged_ = 4096;            ///< how many places were left when they were merged
+    Ledger ledger_;
+    SpeedCurve curve_;
+    std::vector<ToleranceUse> tolerances_;
+    std::size_t use_ = 0;  ///< of them, the one in force
+    TimerOptions options_;
     double begin_ = 0;                     ///< mm/s at the begin of the first block that waits
     Cause began_ = Cause::exact_stop;      ///< why it is no faster
     double spindle_ = 0;                   ///< 1/min, with its sense
+    double rapid_seconds_ = 0;             ///< since the last move at feed: the spindle has had so long to follow
+    Place strobed_{UINT32_MAX, 0};         ///< whose M functions have been paid for
     std::map<std::string, double> stand_;  ///< of additional axes
     bool last_rapid_ = false, begun_ = false;
 };
+
+/// 1/mm, of an arc; 0: it is straight, or no move.
+[[nodiscard]] double curvature_of(const cl::Step& step, double length);
 
 }  // namespace obrys::sim::time

@@ -15,7 +15,10 @@ using geom::testing::Random;
 
 Dynamics dynamics() {
     shop::Machine machine;
-    machine.motion = {1000, 20'000, 0.01, 0, 0, 0.5, shop::CornerPassing::filter};
+    machine.motion.acceleration = 1000, machine.motion.jerk = 20'000, machine.motion.tolerance = 0.01;
+    machine.motion.block_time = 0, machine.motion.look_ahead = 0, machine.motion.spindle_time = 0.5;
+    machine.motion.corner = shop::CornerPassing::filter;
+    machine.motion.servo_gain = 0, machine.motion.strobe_time = 0;
     machine.tool_change_time = 4;
     for (const char* name : {"X", "Y", "Z"}) {
         shop::MachineAxis axis;

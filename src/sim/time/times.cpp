@@ -10,7 +10,8 @@ double sum(const Seconds& s) { return std::accumulate(s.begin(), s.end(), 0.0); 
 
 void merge(std::vector<Spent>& spent) {
     const auto key = [](const Spent& s) { return std::tuple(s.place, s.cause); };
-    std::stable_sort(spent.begin(), spent.end(), [&](const Spent& a, const Spent& b) { return key(a) < key(b); });
+    if (!std::is_sorted(spent.begin(), spent.end(), [&](const Spent& a, const Spent& b) { return key(a) < key(b); }))
+        std::stable_sort(spent.begin(), spent.end(), [&](const Spent& a, const Spent& b) { return key(a) < key(b); });
     std::size_t n = 0;
     for (const Spent& s : spent) {
         if (n > 0 && key(spent[n - 1]) == key(s))

@@ -24,11 +24,12 @@ enum class Cause : std::uint8_t {
     dwell,
     spindle,  ///< reaching a speed
     tool_change,
+    m_function,  ///< and coolant
 };
-inline constexpr std::size_t causes = 12;
+inline constexpr std::size_t causes = 13;
 inline constexpr std::array<std::string_view, causes> cause_names{
-    "feed",       "rapid",      "axis-speed", "acceleration", "corner",  "curvature",
-    "block-rate", "look-ahead", "exact-stop", "dwell",        "spindle", "tool-change"};
+    "feed",       "rapid",      "axis-speed", "acceleration", "corner",      "curvature", "block-rate",
+    "look-ahead", "exact-stop", "dwell",      "spindle",      "tool-change", "m-function"};
 
 using Seconds = std::array<double, causes>;
 [[nodiscard]] double sum(const Seconds& s);
@@ -51,7 +52,7 @@ void merge(std::vector<Spent>& spent);
 struct Times {
     Seconds all{};
     std::map<std::uint32_t, Seconds> tools;  ///< by number
-    std::vector<Spent> places;               ///< as `merge` leaves them
+    std::vector<Spent> places;               ///< as `merge` leaves them; all, or the slowest (Options::places)
     std::uint64_t moves = 0;
     std::uint64_t from_nowhere = 0;  ///< rapid moves at the begin, from a place that nobody knows
     std::uint64_t untimed = 0;       ///< moves whose feed, or whose ends, nobody knows
@@ -59,7 +60,10 @@ struct Times {
     std::uint64_t untimed_dwells = 0;  ///< in revolutions of a spindle whose speed is not known
     std::uint64_t untimed_speeds = 0;  ///< changes of a spindle's speed from or to one that is not known
     std::uint64_t stops = 0;           ///< of the program, for as long as its operator likes
+    std::uint64_t probings = 0;        ///< moves that end where a probe touches: timed to their end at the latest
     double way = 0;                    ///< mm
+    double may_settle = 0;      ///< s that exact stops would take if axes lag, of a machine that is assumed not to
+    bool places_short = false;  ///< of `places`, not all passes of one may have been kept
 
     /// Nothing but what any program leaves open: the way to its first place, a speed by a radius that is not known yet.
     [[nodiscard]] bool is_understood() const { return untimed + untimed_dwells == 0; }

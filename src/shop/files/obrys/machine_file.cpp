@@ -5,6 +5,7 @@
 #include "base/codes.hpp"
 #include "base/text.hpp"
 #include "shop/files/obrys/machine_file.hpp"
+#include "shop/files/obrys/machine_origins.hpp"
 #include "shop/files/obrys/solid_file.hpp"
 #include "shop/files/obrys/tables.hpp"
 
@@ -97,6 +98,9 @@ void read_motion(Section& file, Machine& machine) {
     m.block_time = s.number("block_time", Range::not_negative);
     m.look_ahead = s.number("look_ahead", Range::not_negative);
     m.spindle_time = s.number("spindle_time", Range::not_negative);
+    m.servo_gain = s.number("servo_gain", Range::not_negative);
+    m.window = s.number("window", Range::positive);
+    m.strobe_time = s.number("strobe_time", Range::not_negative);
     if (const auto c = s.choice("corner", {"exact-stop", "filter", "blend"}))
         m.corner = std::array{CornerPassing::exact_stop, CornerPassing::filter, CornerPassing::blend}[*c];
     s.finish();
@@ -220,7 +224,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     if (!s.has("kind")) s.missing("kind");
     if (machine.kind == MachineKind::lathe) machine.defaults.plane = 18;
     read_feeds(s, machine);
-    machine.tool_change_time = s.number("tool_change_time", Range::not_negative).value_or(0);
+    machine.tool_change_time = s.number("tool_change_time", Range::not_negative);
     machine.tool_change_stops_spindle = s.boolean("tool_change_stops_spindle");
     for (const Value* axis : s.tables("axis")) read_axis(*axis, found, machine);
     read_chain(s, machine);
@@ -231,6 +235,7 @@ Machine read_machine(std::uint32_t file, const base::Sources& sources, base::Dia
     read_control(s, machine);
     machine.datums = read_datums(s);
     read_machine_data(s, machine);
+    read_origins(s, machine);
     s.finish_file(diagnostics);
     return machine;
 }
