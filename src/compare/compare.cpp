@@ -26,7 +26,7 @@ const Difference* Result::of(Aspect a) const {
 bool Result::is_equal(Aspect a) const { return of(a) == nullptr && !(looked_to && holds(a)); }
 
 Comparison::Comparison(const Tolerance& t)
-    : own_{Path(t.length, t.is_axis_by_axis), Path(t.length, t.is_axis_by_axis)} {
+    : own_{Path(t.length, t.is_axis_by_axis, t.joins_freely), Path(t.length, t.is_axis_by_axis, t.joins_freely)} {
     walk_ = std::make_unique<Walk>(*own_[0], *own_[1], t);
 }
 

@@ -82,6 +82,8 @@ struct Tolerance {
     /// B was written from A: a length that A compensates has to be compensated, and a zero that both call by a number
     /// of the same kind (G54 to G59, presets) has to be the same one, also where nobody knows its place.
     bool is_written_from_a = false;
+    /// Until a program says otherwise both join moves as far as speed needs (G64): that is how their control begins.
+    bool joins_freely = false;
     /// A control that moves one axis at a time: which of them were said together is no matter.
     bool is_axis_by_axis = false;
 };

@@ -62,6 +62,7 @@ void Path::hold() {
     const bool by_values = length == -2 || length == -4;
     Holding now{s.feed, s.spindle, s.coolant, tool_of(s.change), length, {}, s.datum, s.frame, s.tolerance, s.path};
     if (by_values) now.length_by = s.length.by;
+    if (!now.path && joins_freely_) now.path = cl::PathMode{cl::PathKind::free};
     compensates_length = compensates_length || now.length != 0;
     // There the tool's length does not count: a control may have to put it off and on again for that.
     if (to_holder_) now.tool.edge = 0, now.length = 0, now.length_by.reset();
@@ -92,7 +93,9 @@ bool Path::goes_on(const cl::Record& record) const {
 }
 
 /// Of a move whose block has not said all of its coordinates since the tool was changed: where the others are nobody
-/// knows.
+/// knows. Readers tell them by what they count: where the length comes with the tool, the tip has the height that it
+/// had; where it comes by a word behind it, it stands off by what the one tool is longer. No word moves that axis in
+/// either of them.
 geom::Vec3 Path::as_said(geom::Vec3 to, const geom::Vec3& others) const {
     if (!said_) return to;
     const auto& place = std::get<cl::MachinePlace>(said_->step);
@@ -100,6 +103,13 @@ geom::Vec3 Path::as_said(geom::Vec3 to, const geom::Vec3& others) const {
     if (!place.axes[1]) to.y = others.y;
     if (!place.axes[2]) to.z = others.z;
     return to;
+}
+
+/// The axes of the program are not those of the workpiece.
+bool Path::is_turned() const {
+    const auto& parts = cursor_.state().frame.parts;
+    return !std::all_of(parts.begin(), parts.end(),
+                        [](const cl::FramePart& p) { return p.frame.linear == geom::Frame{}.linear; });
 }
 
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
@@ -177,6 +187,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     }
     constexpr geom::Vec3 nowhere{NAN, NAN, NAN};
     const geom::Vec3 now = as_said(to, at_.value_or(nowhere));
+    const bool says_in_part = said_ && !is_turned();
     take_said();
     if (to_holder_) held_ = false;
     hold();
@@ -202,6 +213,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         const std::shared_ptr<const Holding>& holds = taps ? of_tap : holding_;
         Move& move = moves.grow();
         move.step = record.step;
+        if (auto* line = std::get_if<cl::Linear>(&move.step); line != nullptr && says_in_part) line->to = now;
         move.axes.clear();
         std::swap(move.axes, axes_);
         if (move.holding != holds) move.holding = holds;

@@ -54,8 +54,9 @@ struct Move {
 /// so is a tool that is called while it is in the spindle.
 class Path {
 public:
-    explicit Path(double same_place, bool is_axis_by_axis = false)
-        : same_place_(same_place), is_axis_by_axis_(is_axis_by_axis) {}
+    /// `joins_freely`: until the stream says how moves are joined.
+    explicit Path(double same_place, bool is_axis_by_axis = false, bool joins_freely = false)
+        : same_place_(same_place), is_axis_by_axis_(is_axis_by_axis), joins_freely_(joins_freely) {}
     void take(const cl::Record& record);
     /// Who compares as the records come has done with those before.
     void forget(std::size_t move, std::size_t event, std::size_t cycle, std::size_t contour) {
@@ -73,6 +74,7 @@ private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
     [[nodiscard]] bool has_turned_before(const cl::Step& step) const;
+    [[nodiscard]] bool is_turned() const;
     [[nodiscard]] geom::Vec3 as_said(geom::Vec3 to, const geom::Vec3& others) const;
     void take_said();
     void note_tool();
@@ -85,7 +87,7 @@ private:
     void hold();
 
     double same_place_;
-    bool is_axis_by_axis_;
+    bool is_axis_by_axis_, joins_freely_;
     motion::Cursor cursor_;
     std::shared_ptr<const Holding> moving_;  ///< what held at the last move under a tool
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();

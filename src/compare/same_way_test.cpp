@@ -19,7 +19,6 @@ TEST(SameWay, CutAtOtherPointsAndSaidAgain) {
     }
 }
 
-/// As the records come, in any order, the verdict is that of the whole streams.
 /// Behind a change of tools the coordinates that no block has said yet are nobody's: a way to a height is one, whatever
 /// the stream has as the height before it, and said twice it is one way.
 TEST(SameWay, AHeightThatIsNotSaidYetIsNone) {
@@ -72,6 +71,31 @@ TEST(SameWay, AxesThatTurnBeforeTheirPlane) {
     }
 }
 
+/// Readers tell such a height by what they count: with the length of the tool before (HEIDENHAIN) or of the tool that
+/// is there now (FANUC). No block moves along it in either, so that the machine stands where it stood.
+TEST(SameWay, AHeightThatIsNotSaidYetIsNotCompared) {
+    cl::MachinePlace in_plane{cl::PlaceKind::frame}, both{cl::PlaceKind::frame};
+    in_plane.axes = {true, true, false}, both.axes = {true, true, true};
+    const auto at = [](double x, double z, bool rapid = true) {
+        return cl::Linear{{x, 0, z}, {0, 0, 1}, rapid, cl::Seek::nothing};
+    };
+    const auto with = [&](const cl::MachinePlace& said, double unsaid, double x, double next = 2) {
+        return Steps{at(5, 50), cl::ToolChange{2, 1, ""}, said, at(x, unsaid), said, at(9, unsaid), at(9, next)};
+    };
+    const Steps whole = with(in_plane, 50, 7);
+    EXPECT_EQ(differences(whole, with(in_plane, 40, 7)), "");
+    EXPECT_EQ(differences(whole, with(in_plane, 40, 8)), "motion");
+    EXPECT_EQ(differences(whole, with(in_plane, 40, 7, 3)), "motion");
+    EXPECT_EQ(differences(whole, with(both, 40, 7)), "motion events");
+    // In a turned frame the coordinates of the workpiece are several of the program's.
+    const cl::Frame turned{{{cl::FrameKind::rotation, geom::Frame::rotation(0, 0.5)}}};
+    const auto in_frame = [&](double unsaid) {
+        return Steps{at(5, 50), turned, cl::ToolChange{2, 1, ""}, in_plane, at(7, unsaid), at(9, 2)};
+    };
+    EXPECT_EQ(differences(in_frame(50), in_frame(40)), "motion");
+}
+
+/// As the records come, in any order, the verdict is that of the whole streams.
 TEST(SameWay, WhicheverComesFirst) {
     const std::uint32_t seed = base::testing_seed();
     AnyStream any(seed);

@@ -4,6 +4,7 @@
 
 #include "base/text.hpp"
 #include "cl/text.hpp"
+#include "driver/control.hpp"
 #include "driver/stream_file.hpp"
 
 namespace obrys::driver {
@@ -124,6 +125,7 @@ bool run_anew(const Session& session, const Request& request, cl::Sink sink) {
 compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tolerance) {
     using Side = compare::Comparison::Side;
     tolerance.same_control = !a.control.empty() && a.control == b.control;
+    tolerance.joins_freely = tolerance.same_control && joins_freely(a.control);
     compare::Comparison comparison(tolerance);
     Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
     Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
@@ -148,6 +150,11 @@ compare::Result compare_with(const cl::Recording& a, Session& b, const compare::
     const auto to_a = [&](const cl::Record& record) { comparison.take(Side::a, record); };
     return compare_steps(
         comparison, [&] { return in_a.step(to_a); }, [&] { return in_b.step(); });
+}
+
+bool joins_freely(std::string_view control) {
+    const Control* known = find_control(control);
+    return known != nullptr && known->joins_freely;
 }
 
 std::size_t block_stops(const Session& session) {

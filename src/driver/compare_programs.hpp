@@ -18,6 +18,9 @@ namespace obrys::driver {
 /// The same of a stream that was kept and a session that is run.
 [[nodiscard]] compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance);
 
+/// Whether the control joins moves as far as speed needs until a program says otherwise.
+[[nodiscard]] bool joins_freely(std::string_view control);
+
 /// Blocks of the session's programs that stop at their end alone (G9): the stream has no such stop, so that nobody
 /// compares them.
 [[nodiscard]] std::size_t block_stops(const Session& session);

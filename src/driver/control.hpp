@@ -38,6 +38,8 @@ struct Control {
     /// Lengths without a point may be least input increments (X100 is 0.1 mm), and X of a lathe is a diameter from the
     /// start.
     bool counts_increments = false;
+    /// Until the program says otherwise moves are joined as far as speed needs (G64).
+    bool joins_freely = false;
     /// Among the files with a definition suffix: one of the control's. Null: all are.
     bool (*is_definition)(std::string_view text, std::string_view upper_name) = nullptr;
     /// The tool table that its stand-alone interpreter takes where it is given none; empty: there is no such.

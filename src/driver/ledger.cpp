@@ -33,19 +33,28 @@ bool is_written(const Ledger& ledger, std::string_view said) {
                        [&](const Ledger::Entry& e) { return e.note.what == what; });
 }
 
+/// How often a word without effect on the path stands in the programs, which is told once, where it stands first.
+std::uint64_t times_of(const Session& s, const base::Diagnostic& said) {
+    if (s.programs == nullptr) return 1;
+    for (const auto& unit : s.programs->units())
+        for (const program::Ignored& word : unit->ignored)
+            if (word.where == said.where && said.text.starts_with(word.text + " ")) return word.count;
+    return 1;
+}
+
 }  // namespace
 
-bool Ledger::add(const write::Note& note) {
+bool Ledger::add(const write::Note& note, std::uint64_t times) {
     const std::size_t hash = hash_of(note);
     const auto [first, last] = index_.equal_range(hash);
     for (auto it = first; it != last; ++it) {
         const write::Note& there = entries_[it->second].note;
         if (there.fate != note.fate || there.what != note.what || !(there.from == note.from)) continue;
-        ++entries_[it->second].times;
+        entries_[it->second].times += times;
         return false;
     }
     index_.emplace(hash, entries_.size());
-    entries_.push_back({note});
+    entries_.push_back({note, times});
     lost_ = lost_ || note.fate == write::Fate::lost;
     return true;
 }
@@ -61,7 +70,10 @@ void add_not_understood(Ledger& ledger, const Session& s, interp::Ending ending)
         if (said || uncalled) note.fate = write::Fate::expanded;
         if (uncalled && d.text.ends_with(nothing_calls_it)) note.instead = "is left out";
         note.from = d.where;
-        static_cast<void>(ledger.add(note));
+        const std::uint64_t times = said ? times_of(s, d) : 1;
+        const std::string counted = " (" + std::to_string(times) + " times)";  // a number of its own in the ledger
+        if (times > 1 && note.what.ends_with(counted)) note.what.resize(note.what.size() - counted.size());
+        static_cast<void>(ledger.add(note, times));
     }
     if (ending == interp::Ending::regular) return;
     write::Note note;

@@ -19,7 +19,7 @@ public:
         std::uint64_t times = 1;
     };
     /// False where the same stands there already.
-    bool add(const write::Note& note);
+    bool add(const write::Note& note, std::uint64_t times = 1);
     [[nodiscard]] const std::vector<Entry>& entries() const { return entries_; }
     [[nodiscard]] bool has_lost() const { return lost_; }
 

@@ -129,6 +129,8 @@ compare::Tolerance as_words_hold(const write::Post& post, const Program& program
     }
     if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
     constexpr double slack = 1 + 1e-6;
+    // Beside a smooth joint that is rounded a corner appears, whose arc no word is fine enough for.
+    tolerance.increment = std::max(tolerance.increment, 2 * length);
     tolerance.feed_step = write::half_step(post, "feed") * slack;
     tolerance.speed_step = write::half_step(post, "speed") * slack;
     return tolerance;
@@ -194,6 +196,7 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
         if (guessed) out.run->job.machine.more_axes = true;  // as of the program: nobody has said which it has
         compare::Tolerance within = t;
         within.same_control = s.control == post.control;
+        within.joins_freely = within.same_control && joins_freely(s.control);
         within.is_written_from_a = true;
         within.is_axis_by_axis = post.staircase.has_value();
         out.compared = compare_with(*translated.does, *out.run, within);

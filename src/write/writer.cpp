@@ -1,6 +1,7 @@
 #include "write/writer.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace obrys::write {
 
@@ -17,6 +18,12 @@ Writer::Writer(const Post& post, std::string name, Output output)
     folded_ = std::move(output.folded);
     if (post_.magazine) magazine_.emplace(*post_.magazine);
     if (post_.staircase) begin_stairs(std::move(output.run));
+    const auto folds = [&](cl::CycleKind kind) {
+        return post_.cycles.count(kind) != 0 || post_.hooked_cycles.count(kind) != 0;
+    };
+    const bool by_cycles = folds(cl::CycleKind::canned_tap_rigid) || folds(cl::CycleKind::tap_rigid);
+    if (!post_.has(Command::tap) && by_cycles && !stairs_)
+        taps_.emplace([this](const cl::Record& record) { take_written(record); });
     values_.set(Text::name, name_);
     static_cast<void>(put(Command::file_begin, {}, "the begin of the file"));
     printer_.start();
@@ -112,6 +119,7 @@ void Writer::begin_stairs(std::function<void(const cl::Record&)> run) {
 
 void Writer::take(const cl::Record& record) {
     if (stairs_) return stairs_->take(record);
+    if (taps_) return taps_->take(record);
     take_written(record);
 }
 
@@ -140,7 +148,7 @@ void Writer::take_written(const cl::Record& record) {
 /// Whether the control makes the move by itself, from an element that has been written.
 bool Writer::is_made(const cl::Record& record) {
     if (place_ || plain_) return false;
-    if (cursor_.state().compensation) return contour_begun_;
+    if (cursor_.state().compensation && !moves_are_contour()) return contour_begun_;
     const Source source{record.from, record.stack};
     if (std::find(programmed_.begin(), programmed_.end(), source) != programmed_.end()) return true;
     programmed_.clear();
@@ -162,10 +170,19 @@ void Writer::take_move(const cl::Record& record) {
     if (!axes_.empty() || !ends.empty()) axes_ = ends;
     const geom::Vec3 from = cursor_.position().here();
     static_cast<void>(cursor_.take(record));
+    note_height(line);
     if (may_wait)
         held_.push_back({record, from});
     else
         write_move(record.step, from);
+}
+
+/// Behind a change of tools the height is nobody's until a block says one: of the other tool it was another one.
+void Writer::note_height(const cl::Linear* line) {
+    const bool said = line != nullptr && (!place_ || place_->axes[2]);
+    const bool of_frame = place_ && place_->kind == cl::PlaceKind::frame;
+    const bool known = of_frame || std::isfinite(cursor_.position().here().z);
+    height_said_ = known && (height_said_ || said);
 }
 
 /// The way up behind a cycle, of which is not known yet whether it leads to another one.
@@ -225,10 +242,16 @@ void Writer::take_programmed(const cl::Programmed& p) {
     write_arc(arc, p.from, corner);
 }
 
-/// A corner with a feed of its own, where the post's words have no place for it: it and the element behind it are
-/// written by their moves. Under compensation these are the tool's path, which is none of the contour.
+/// By a radius that nobody knows the contour is run as it is programmed.
+bool Writer::moves_are_contour() const {
+    const auto& c = cursor_.state().compensation;
+    return c && !(std::abs(c->radius) > 0);
+}
+
+/// A corner for which the post has no words, or not for its own feed: it and the element behind it are written by their
+/// moves. Under compensation by a radius these are the tool's path, which is none of the contour.
 bool Writer::by_moves_of_corner(const cl::Programmed& p) {
-    if (cursor_.state().compensation) return false;
+    if (cursor_.state().compensation && !moves_are_contour()) return false;
     const Command command = p.corner == cl::Corner::chamfer       ? Command::corner_chamfer
                             : p.corner == cl::Corner::chamfer_leg ? Command::corner_chamfer_leg
                                                                   : Command::corner_rounding;
@@ -258,6 +281,7 @@ void Writer::take_event(const cl::Record& record) {
         if (stops) spindle_ = cursor_.state().spindle;
         drop_offsets_alone(*change);
         write_all();
+        if (!change->standing) height_said_ = false;
     }
     static_cast<void>(cursor_.take(record));
     values_.clear();
@@ -266,6 +290,7 @@ void Writer::take_event(const cl::Record& record) {
 
 void Writer::finish() {
     if (stairs_) stairs_->finish();
+    if (taps_) taps_->settle();
     if (stop_waits_) write_stop();
     flush_held();
     if (!ended_) write_all(), end_compensation_alone(Urgency::at_end), write_last_length(), return_plane();

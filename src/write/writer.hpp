@@ -15,6 +15,7 @@
 #include "cl/record.hpp"
 #include "motion/cursor.hpp"
 #include "write/frames.hpp"
+#include "write/holes/lone_taps.hpp"
 #include "write/layout.hpp"
 #include "write/printer.hpp"
 #include "write/staircase.hpp"
@@ -82,6 +83,7 @@ private:
     void close_part();
     void spill_parts();
     void keep_standing();
+    void note_height(const cl::Linear* line);
     void begin_stairs(std::function<void(const cl::Record&)> run);
     void take_written(const cl::Record& record);
     void take_folded(const cl::Record& record);
@@ -91,6 +93,7 @@ private:
     void take_cycle(const cl::Record& record, const cl::CycleBegin& begin);
     void take_event(const cl::Record& record);
     void take_programmed(const cl::Programmed& p);
+    [[nodiscard]] bool moves_are_contour() const;
     [[nodiscard]] bool by_moves_of_corner(const cl::Programmed& p);
     // What is no move. Every kind is named: a new one stops this from compiling until somebody has said how it is
     // written.
@@ -215,6 +218,7 @@ private:
         now,
         at_end,  ///< of the program, which ends compensation where no word does
     };
+    bool note_path_of_no_radius(const cl::CompensationBegin& begin);
     void end_compensation_alone(Urgency urgency);
     [[nodiscard]] bool ends_before(const Template& form, Command command) const;
     void end_wait_of_compensation(Command command, const Template& form, std::uint64_t line);
@@ -233,8 +237,10 @@ private:
     [[nodiscard]] bool gets_there(const CycleForm& form, const cl::Cycle& cycle, double level, double stands) const;
     void note_held_aside(const cl::Cycle& cycle);
     [[nodiscard]] bool fold(const cl::CycleBegin& begin);
-    [[nodiscard]] bool fold_as(const cl::CycleBegin& begin, const HoleWay& way);
+    [[nodiscard]] bool fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come = false);
+    [[nodiscard]] std::optional<geom::Vec3> lay_in_text(cl::Cycle& cycle) const;
     [[nodiscard]] bool fold_below(const cl::CycleBegin& begin, HoleWay way);
+    void come_to_plane(const cl::Cycle& cycle, const geom::Vec3& at);
     [[nodiscard]] int spindle_word(const Template& call) const;
     void end_tap();
     [[nodiscard]] bool is_again(const Template& call, const Parts& parts);
@@ -259,6 +265,7 @@ private:
     bool offsets_wait_ = false;           ///< none of them has been said since the tool was called
     bool without_tool_noted_ = false;
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
+    std::optional<LoneTaps> taps_;     ///< the same, where it taps by cycles alone
     std::function<void(const FoldedBy&)> folded_;
     std::unique_ptr<Hooks> hooks_;                                         ///< null: the post has none
     Template said_;                                                        ///< by one of them
@@ -317,6 +324,7 @@ private:
     std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
     int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
     double turning_speed_ = 0;             ///< 1/min, of the spindle when it turned last
+    bool height_said_ = false;             ///< a block has said Z since the tool was changed
     bool rises_ = false;                   ///< the cycle that was written ends below where the tool stands behind it
     std::string tap_stops_;                ///< the tap that was written stops the spindle by itself: the word for that
     bool spindle_ready_ = false;           ///< for the tap that is being written

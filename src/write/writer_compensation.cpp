@@ -17,17 +17,22 @@ std::optional<Command> Writer::compensation_of(const cl::CompensationBegin& begi
     return post_.has(command) ? std::optional(command) : std::nullopt;
 }
 
+/// Where the tool's path stands in the place of the contour: without a radius the run's moves are those of the contour
+/// itself, and no path of any tool. True where that was said.
+bool Writer::note_path_of_no_radius(const cl::CompensationBegin& begin) {
+    if (std::abs(begin.radius) > 0) return false;
+    note(Fate::lost, "radius compensation by a radius that is not known");
+    return true;
+}
+
 void Writer::event(const cl::CompensationBegin& begin) {
-    if (plain_) return;
+    if (plain_) return static_cast<void>(note_path_of_no_radius(begin));
     write_state();  // the frame in which its side counts
     values_.clear();
     const std::optional<Command> wanted = compensation_of(begin);
     if (!wanted || !post_.has(*wanted)) {
         end_compensation_alone(Urgency::now);  // of the contour before
-        // Without a radius the run's moves are those of the contour itself, and no path of the tool.
-        if (!(std::abs(begin.radius) > 0))
-            note(Fate::lost, "radius compensation by a radius that is not known");
-        else
+        if (!note_path_of_no_radius(begin))
             note(Fate::expanded,
                  wanted ? std::string(radius_compensation) : "radius compensation by a radius that the program says");
         compensation_.reset();

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "write/same_hole.hpp"
+#include "write/holes/same_hole.hpp"
 #include "write/writer.hpp"
 
 namespace obrys::write {
@@ -62,7 +62,11 @@ bool prints(const Template& text, ValueIndex value) {
     });
 }
 
+/// A tap that the program makes by moves (LoneTaps).
+bool is_lone_tap(const cl::Cycle& cycle) { return cycle.kind == cl::CycleKind::canned_tap_rigid && cycle.name.empty(); }
+
 std::string name_of_cycle(const cl::Cycle& cycle) {
+    if (is_lone_tap(cycle)) return "rigid tapping";
     return "cycle " + cycle.name + " (" + std::string(cl::spelling(cycle.kind)) + ")";
 }
 
@@ -104,6 +108,7 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
 double Writer::level_of_series(bool over) const {
     const bool ends_series = over && held_.size() > 1 && !post_.raises_to_retract_plane;
     if (in_cycles_ && !rise_waits() && !ends_series) return series_level_;
+    if (!height_said_) return NAN;
     const auto* way = over || rise_waits() ? std::get_if<cl::Linear>(&held_.front().record.step) : nullptr;
     return frames_.programmed(way != nullptr ? way->to : cursor_.position().here()).z;
 }
@@ -144,7 +149,8 @@ bool Writer::fold(const cl::CycleBegin& begin) {
     if (cursor_.state().compensation) return false;
     if (fold_as(begin, {*begin.cycle})) return true;
     const std::vector<HoleWay> others = same_hole(*begin.cycle, cursor_.state());
-    if (std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_as(begin, way); })) return true;
+    if (std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_as(begin, way, true); }))
+        return true;
     return std::any_of(others.begin(), others.end(), [&](const HoleWay& way) { return fold_below(begin, way); });
 }
 
@@ -152,7 +158,7 @@ bool Writer::fold(const cl::CycleBegin& begin) {
 bool Writer::fold_below(const cl::CycleBegin& begin, HoleWay way) {
     const std::size_t erased =
         std::erase_if(way.cycle.values, [](const auto& v) { return v.role == cl::CycleRole::return_level; });
-    rises_ = erased != 0 && fold_as(begin, way);
+    rises_ = erased != 0 && fold_as(begin, way, true);
     return rises_;
 }
 
@@ -186,13 +192,37 @@ bool Writer::is_again(const Template& call, const Parts& parts) {
     return same;
 }
 
-bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
+/// Where no block has said a height of this tool, the program's cycle comes to its plane from wherever that is; a word
+/// that goes over the hole at the height of before has none. So the way to the plane is a move of its own.
+void Writer::come_to_plane(const cl::Cycle& cycle, const geom::Vec3& at) {
+    end_cycles();
+    print_straight({at.x, at.y, *height(cycle, cl::CycleRole::retract_plane)}, true, nullptr, cl::Seek::nothing);
+    height_said_ = true;
+}
+
+/// The normal of a cycle's plane in the text. Where that says other coordinates than the program, those of the
+/// workpiece for a shift that it has no words for, heights of holes become the text's.
+std::optional<geom::Vec3> Writer::lay_in_text(cl::Cycle& cycle) const {
+    using Role = cl::CycleRole;
+    const geom::Frame seen = frames_.into() * cycle.plane;
+    const bool canned = cycle.kind >= cl::CycleKind::canned_drill && cycle.kind <= cl::CycleKind::canned_bore_manual;
+    const bool hole = canned || cycle.kind <= cl::CycleKind::tap_chip_breaking;
+    if (!hole || !geom::is_shift_only(seen)) return plane_of(seen);
+    for (cl::CycleValue& v : cycle.values)
+        for (const Role role :
+             {Role::surface, Role::retract_plane, Role::bottom, Role::return_level, Role::counterbore_top})
+            if (v.role == role) v.value += seen.origin.z;
+    return geom::Vec3{0, 0, 1};
+}
+
+/// `may_come`: to the plane where the height is not known, for the cycle is another control's.
+bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     const cl::Cycle& cycle = way.cycle;
     const CycleForm* form = cycle_form(cycle);
     const bool hooked = hooks_ != nullptr && post_.hooked_cycles.count(cycle.kind) != 0;
     if (form == nullptr && !hooked) return false;
     write_state();
-    const auto normal = plane_of(frames_.into() * cycle.plane);
+    const auto normal = lay_in_text(way.cycle);
     if (!normal || normal->z != 1) return false;  // forms of cycles say heights along Z
     const geom::Vec3 at = frames_.programmed(begin.place);
     // Nothing is written, and no move left out, before all of it can be said.
@@ -214,7 +244,10 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     end_series_that_says_more(*form);
     const double level = level_of_series(goes_over());
     const auto* over_hole = goes_over() ? std::get_if<cl::Linear>(&held_.back().record.step) : nullptr;
-    const double stands = frames_.programmed(over_hole != nullptr ? over_hole->to : cursor_.position().here()).z;
+    const auto plane = height(cycle, cl::CycleRole::retract_plane);
+    const bool comes = may_come && plane && !height_said_ && !in_cycles_ && post_.has(Command::rapid);
+    const geom::Vec3 before = over_hole != nullptr ? over_hole->to : cursor_.position().here();
+    const double stands = comes ? *plane : frames_.programmed(before).z;
     if (!gets_there(*form, cycle, level, stands)) return false;
     if (rise_waits()) write_rise();
     const bool over = goes_over();
@@ -225,6 +258,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, const HoleWay& way) {
     else
         flush_held();
     write_state();
+    if (comes) come_to_plane(cycle, at);
     write_length_alone();
     note_offsets();
     z_of_machine_ = false;
@@ -278,7 +312,8 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
     }
     flush_held();
     note_held_aside(*begin.cycle);
-    note(Fate::expanded, name_of_cycle(*begin.cycle));
+    // Else its moves say what is lost.
+    if (!is_lone_tap(*begin.cycle)) note(Fate::expanded, name_of_cycle(*begin.cycle));
 }
 
 void Writer::take_lead(const cl::Record& record, const cl::LeadBegin& lead) {
@@ -323,7 +358,12 @@ void Writer::print_lead() {
     is_compensating_ = lead.onto && compensation_;
     constexpr std::string_view what = "a way onto a contour or off it";
     const std::uint64_t line = layout_.next();
-    const Printed printed = put(lead.command, parts_of(lead.rapid, nullptr), what);
+    const Parts parts = parts_of(lead.rapid, nullptr);
+    // A way with a feed of its own: where that is no word beside the one of the contour, the way says it, and what
+    // follows says the contour's again.
+    const ValueIndex own = index_of(Value::own_feed);
+    if (values_.has(own) && !says(post_[lead.command], own)) values_.set(Value::feed, values_.number(own));
+    const Printed printed = put(lead.command, parts, what);
     if (printed == Printed::all || printed == Printed::nothing)
         note(Fate::mapped, lead.onto ? "a way onto a contour" : "a way off a contour", line);
     else if (printed == Printed::failed)
@@ -338,6 +378,7 @@ void Writer::end_fold() {
     if (lead_) print_lead();
     printer_.forget_coordinates();
     const geom::Vec3 at = frames_.programmed(cursor_.position().here());
+    height_said_ = height_said_ || std::isfinite(at.z);
     if (std::exchange(rises_, false)) return write_line(cursor_.position().here(), true);
     if (!cycle || !post_.place_known_behind_cycle || !geom::is_finite(at)) return;
     values_.clear();

@@ -63,6 +63,7 @@ void Writer::end_program(Command command, std::string_view what) {
 bool Writer::begin_anew() {
     if (ended_ || !post_.has(Command::stop_again)) return false;
     if (stairs_) stairs_->finish();
+    if (taps_) taps_->settle();
     if (stop_waits_) write_stop();
     flush_held();
     end_program(Command::stop_again, "the way back to the begin of the program");

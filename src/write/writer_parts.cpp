@@ -23,6 +23,7 @@ std::string what_is(const cl::PartBegin& part) {
 
 void Writer::settle() {
     if (stairs_) stairs_->finish();
+    if (taps_) taps_->settle();
     if (stop_waits_) write_stop();
     flush_held();
     static_cast<void>(layout_.next());  // a call that waited for more passes

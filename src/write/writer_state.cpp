@@ -137,7 +137,7 @@ void Writer::write_spindle(const cl::Spindle& s) {
         same(s.held.value_or(0), spindle_.held.value_or(0)))
         return;
     const bool leaves = spindle_.mode == cl::SpindleMode::surface && s.mode == cl::SpindleMode::rpm;
-    if (s.direction != 0) end_tap();
+    if (s.direction != 0 || s.held) end_tap();
     spindle_ = s;
     values_.clear();
     if (leaves && !post_[Command::leave_surface].empty())
@@ -184,6 +184,7 @@ void Writer::await_coolant() {
                      : c.flood         ? Command::coolant_flood
                      : c.mist          ? Command::coolant_mist
                                        : Command::coolant_off;
+    if (post_[*coolant_waits_].size() > 1) write_coolant();  // a place in another block holds one
 }
 
 void Writer::write_coolant() {
@@ -240,6 +241,13 @@ void Writer::write_path() {
         left_out.instead = "is left out";
         note_at(std::move(left_out));
         command = Command::path_free;
+    }
+    // That the control need not go through every point asks for nothing that it must do.
+    if (command >= Command::path_free && !post_.has(command)) {
+        Note left_out{
+            Fate::expanded, "how moves are joined: the post has no " + std::string(name_of(command)), {}, 0, 0};
+        left_out.instead = "is left out";
+        return note_at(std::move(left_out));
     }
     print(command, "how moves are joined");
 }

@@ -47,7 +47,10 @@ def control_of(obrys, case):
     return said.group(1) if said and run.returncode == 0 and moves else None
 
 
-def compared(obrys, case, told, out, err):
+ON_ARCS = 6  # increments' halves: a place on an arc follows from its start, its centre and its end, which are rounded
+
+
+def compared(obrys, case, told, out, err, times=1):
     """Both files held to each other, each as a job of its own control; the rest of a job and all options are the same."""
     options, options_of = list(case.options), []
     while options:
@@ -61,7 +64,7 @@ def compared(obrys, case, told, out, err):
         options_of += ["--machine", taken.group(1)]
     within = re.search(r"within (\S+) mm", err)  # places on arcs follow from rounded words, and it says how near they are
     if within and "--tolerance" not in options_of:
-        options_of += ["--tolerance", within.group(1)]
+        options_of += ["--tolerance", repr(float(within.group(1)) * times)]
     is_job, jobs = case.program.endswith(".toml"), []
     text = (case.folder / case.program).read_text(encoding="utf-8", errors="replace") if is_job else ""
     named = re.search(r'(?m)^\s*program\s*=\s*"([^"]*)"', text)
@@ -97,6 +100,8 @@ def translated(obrys, case, target, folder):
     if told["proof"] != "equal":
         return "not compared", (err.splitlines() or [""])[0]
     said = compared(obrys, case, told, out, err)
+    if said.returncode == 1 and "counts in increments" in err:
+        said = compared(obrys, case, told, out, err, ON_ARCS)
     if said.returncode == 1:
         first = json.loads(said.stdout)["first_difference"]
         return "SILENTLY DIFFERENT", f"{first['aspect']}: {first['what']}"

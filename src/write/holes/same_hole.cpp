@@ -1,4 +1,4 @@
-#include "write/same_hole.hpp"
+#include "write/holes/same_hole.hpp"
 
 #include <algorithm>
 #include <cmath>
