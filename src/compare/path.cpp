@@ -213,7 +213,8 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         const std::shared_ptr<const Holding>& holds = taps ? of_tap : holding_;
         Move& move = moves.grow();
         move.step = record.step;
-        if (auto* line = std::get_if<cl::Linear>(&move.step); line != nullptr && says_in_part) line->to = now;
+        if (auto* straight = std::get_if<cl::Linear>(&move.step); straight != nullptr && says_in_part)
+            straight->to = now;
         move.axes.clear();
         std::swap(move.axes, axes_);
         if (move.holding != holds) move.holding = holds;

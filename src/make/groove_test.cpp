@@ -117,7 +117,7 @@ private:
 TEST(MakeGroove, RandomGroovesAreCutSoundlyOrRefused) {
     const std::uint32_t seed = base::testing_seed();
     const char* more = std::getenv("OBRYS_GROOVES");
-    const int count = more != nullptr ? std::atoi(more) : 40;
+    const int count = more != nullptr ? std::stoi(more) : 40;
     std::size_t made_of = 0;
     for (int i = 0; i < count; ++i) {
         Random random(seed + static_cast<std::uint32_t>(i));

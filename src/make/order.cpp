@@ -37,7 +37,7 @@ public:
             found = name;
         }
         if (found.empty()) {
-            if (required) file_.missing(names.others[0].empty() ? names.name : names.others[0]);
+            if (required) file_.missing(names.name);
             // known all the same, for the nearest key of a wrong one
             for (const std::string_view name : {names.name, names.others[0], names.others[1]})
                 if (!name.empty()) static_cast<void>(file_.take(name));

@@ -24,7 +24,7 @@ def taken(obrys, command):
 
 def main():
     obrys, docs = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2])
-    all_taken = set().union(*(taken(obrys, command) for command in ("check", "run", "plot", "fmt", "translate", "compare", "sheet", "time", "calibrate", "data", "cost", "blade", "force",
+    all_taken = set().union(*(taken(obrys, command) for command in ("check", "run", "plot", "fmt", "translate", "compare", "sheet", "time", "make", "calibrate", "data", "cost", "blade", "force",
                                                              "post list", "post new", "post check", "post preview")))
     faults = [] if len(all_taken) > 30 else [f"only {len(all_taken)} options were found in the help texts"]
     for name, begins in (("obrys.1.in", r"\.BI? \"(.*)"), ("command-line.md", r"\| (`-[^|]*)")):

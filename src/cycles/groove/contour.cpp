@@ -176,7 +176,10 @@ double Contour::reach(double u, double blade) const {
     return std::max({bottom, v_of(Side::left, u), v_of(Side::right, u + blade)});
 }
 
-double Contour::crest() const { return std::max(wall(Side::left).edge.y, wall(Side::right).edge.y); }
+double Contour::crest() const {
+    const Wall &l = wall(Side::left), &r = wall(Side::right);
+    return std::max({l.edge.y, l.top().y, r.edge.y, r.top().y});
+}
 
 double Contour::area() const {
     // Under a boundary that goes round counter-clockwise: left side down, bottom, right side up, surface back.

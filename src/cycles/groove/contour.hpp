@@ -38,7 +38,7 @@ struct Contour {
     [[nodiscard]] double v_of(Side side, double u) const;
     /// How deep a sharp blade may go with its left edge at u.
     [[nodiscard]] double reach(double u, double blade) const;
-    [[nodiscard]] double crest() const;  ///< height of the higher edge
+    [[nodiscard]] double crest() const;  ///< height of the higher edge, corner elements with it
     [[nodiscard]] double area() const;   ///< between surface and contour, mm2
 };
 

@@ -88,6 +88,8 @@ TEST(GrooveGuards, OfTheManner) {
     const auto guard = [](Strategy s, auto change) { return guard_of(s, change); };
     EXPECT_EQ(guard(Strategy::side_stepping, [](Request&) {}), std::nullopt);
     EXPECT_EQ(guard(Strategy::layers, [](Request& r) { r.manner.infeed = 0; }), Guard::infeed);
+    EXPECT_EQ(guard(Strategy::layers, [](Request& r) { r.manner.infeed = 1e-6; }), Guard::infeed);
+    EXPECT_EQ(guard(Strategy::ramping, [](Request& r) { r.manner.ramp_angle = 1e-9; }), Guard::ramp);
     EXPECT_EQ(guard(Strategy::layers, [](Request& r) { r.manner.stepover = 4.1; }), Guard::stepover);
     EXPECT_EQ(guard(Strategy::layers, [](Request& r) { r.insert.corner_radius = 2; }), Guard::insert_corner);
     EXPECT_EQ(guard(Strategy::layers, [](Request& r) { r.insert.reach = 12.9; }), Guard::overhang);

@@ -13,7 +13,7 @@ namespace {
 /// Equal layers, at most `thickest`, from the crest to the bottom.
 std::vector<double> equal_levels(const Contour& c, double thickest) {
     const double deep = c.crest() - c.bottom;
-    const int n = std::max(1, static_cast<int>(std::ceil(deep / thickest - nothing)));
+    const int n = std::max(1, steps_of(deep, thickest));
     std::vector<double> v;
     for (int i = 1; i <= n; ++i) v.push_back(i == n ? c.bottom : c.crest() - deep * i / n);
     return v;
@@ -130,6 +130,9 @@ std::optional<Refusal> ramping(Blade& blade) {
                        "beside the insert the bottom has " + base::shortest(free) +
                            " mm for ramps: less than half of the insert's width",
                        "take a narrower insert or another strategy"};
+    if ((c.crest() - c.bottom) / (free * slope) > most_cuts)
+        return Refusal{Guard::ramp, "ramps of so small an angle make more than " + base::shortest(most_cuts) + " cuts",
+                       "give `ramp_angle` a larger angle"};
     const std::vector<double> levels =
         equal_levels(c, std::min({m.infeed, thickest_ramp * blade.width(), free * slope}));
     note_layers(blade, levels);

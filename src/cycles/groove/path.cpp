@@ -40,7 +40,7 @@ void Blade::link(double u) {
     const double end = (placed_ ? std::max(at_.x, u) : u) + width_;
     const double over = stock_.highest(begin, end) + clearance;
     if (!placed_) {
-        rapid({u, contour_.crest() + clearance});
+        rapid({u, std::max(contour_.crest(), highest(u)) + clearance});
     } else if (at_.x != u) {
         if (at_.y < over) rapid({at_.x, over});
         rapid({u, at_.y});

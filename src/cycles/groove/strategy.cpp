@@ -14,7 +14,7 @@ constexpr std::array<Named, 10> names{{
     {Strategy::side_stepping, "side-stepping", "side stepping"},
     {Strategy::side_stepping_high, "side-stepping-high", "side stepping, from the high side"},
     {Strategy::stepwise, "stepwise", "stepwise alternating"},
-    {Strategy::cycle93, "cycle93", "CYCLE93 paraxial, pecked"},
+    {Strategy::cycle93, "cycle93", "paraxial columns, pecked"},
     {Strategy::single, "single", "single plunge, first slot only"},
     {Strategy::layers, "layers", "layer by layer"},
     {Strategy::multiple, "multiple", "multiple with ribs"},
