@@ -50,6 +50,7 @@ ON_PURPOSE = {
     "it is the radius of G02, G03": "DIN/ISO's own G codes, in a DIN/ISO program",
     " mm above and beside the zero)": "the text of the program that obrys calibrate translates",
     "G2 X0 Y0 I": "the same",
+    "line 7: cycles first differs at move 2: the other has cycle tap-rigid": "the other program has its own control's words",
 }
 # Messages of stages for all controls that only programs of these can bring about: how they begin, and which.
 OF_ONE = {

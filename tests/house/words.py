@@ -13,6 +13,8 @@ FOREIGN = re.compile(
     r"DR[+-]?(?= |\b)|RL|RR|R0|M91|M92|TOOL CALL|TOOL DEF|CYCL DEF|CYCL CALL|BLK FORM|LBL|FMAX|F AUTO|PLANE [A-Z]+|FN \d+|"
     r"TOOL\.T)(?![\w])|\b(?:CR|AR)=|\bT0\b"
 )
+# What a comparison quotes of the other program, which has its own control's words.
+QUOTED = re.compile(r"(?<=the other has )[^\[]*")
 MESSAGE = re.compile(r"^(?:[^:]*:\d+:\d+: |  )?(?:error|warning|note): |^\s+remedy: |^  \S+:\d+:\d+: ")
 CONTROL = re.compile(r"--control (?:fanuc|haas|linuxcnc)|^control = \"(?:fanuc|haas|linuxcnc)\"|^--- file \S+\.ngc", re.M)
 
@@ -35,7 +37,7 @@ def main(root):
             continue
         source = text.split("--- out")[0]
         for line in messages(text):
-            for hit in FOREIGN.finditer(line):
+            for hit in FOREIGN.finditer(QUOTED.sub("", line)):
                 word = hit.group(0)
                 if word in source:  # the program's own
                     continue
