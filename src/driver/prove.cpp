@@ -10,7 +10,6 @@
 #include "driver/not_run.hpp"
 #include "driver/program_tools.hpp"
 #include "driver/translate.hpp"
-#include "motion/cursor.hpp"
 #include "write/lesser.hpp"
 
 namespace obrys::driver {
@@ -66,43 +65,6 @@ void complain_of_feed(Session& s, const std::optional<cl::Record>& move) {
     s.diagnostics.add(std::move(d));
 }
 
-/// What a look through the program's stream says about how it can be compared.
-struct Program {
-    double spread = 1;  ///< the widest of its frames
-    double lever = 0;   ///< mm: how far from the origin of its tilted plane a move ends
-    double tilt = 1;    ///< sine of the least tilt of one
-    std::optional<cl::Record> without_feed{};
-};
-
-/// How far what turns a tilted plane a little further moves a place in it, and the rotary axes.
-void note_tilt(Program& out, const cl::Frame& frame, const geom::Vec3& to) {
-    const auto is_plane = [](const cl::FramePart& p) { return p.kind == cl::FrameKind::plane; };
-    if (std::none_of(frame.parts.begin(), frame.parts.end(), is_plane)) return;
-    geom::Frame whole;
-    for (const cl::FramePart& p : frame.parts) whole = whole * p.frame;
-    const geom::Vec3 normal = geom::apply_direction(whole, {0, 0, 1});
-    if (const double far = geom::distance(to, whole.origin); std::isfinite(far)) out.lever = std::max(out.lever, far);
-    constexpr double level = 1e-6;
-    if (const double tilt = std::hypot(normal.x, normal.y); tilt > level) out.tilt = std::min(out.tilt, tilt);
-}
-
-Program look_through(const cl::Recording& stream) {
-    Program out;
-    motion::Cursor cursor;
-    cl::Recording::Playback playback(stream);
-    const auto look = [&](const cl::Record& record) {
-        if (const auto* frame = std::get_if<cl::Frame>(&record.step))
-            out.spread = std::max(out.spread, spread_of(*frame));
-        const std::optional<motion::Step> step = cursor.take(record);
-        if (step) note_tilt(out, step->state.frame, step->to);
-        if (!step || out.without_feed || step->rapid || std::holds_alternative<cl::Thread>(record.step)) return;
-        if (step->state.feed.value == 0) out.without_feed = record;
-    };
-    while (playback.step(look)) {
-    }
-    return out;
-}
-
 bool runs_otherwise(const compare::Result& result) {
     return std::any_of(result.first.begin(), result.first.end(),
                        [](const compare::Difference& d) { return d.is_done; });
@@ -113,27 +75,6 @@ bool differs_by_rounding(const compare::Result& result) {
     using compare::Aspect;
     return result.of(Aspect::motion) != nullptr || result.of(Aspect::feed) != nullptr ||
            result.of(Aspect::spindle) != nullptr;
-}
-
-/// What the words of a post cannot say any nearer: a place between the ends of an arc follows from three of them, its
-/// start, its end and its centre. Places that are written are given more room in tilted planes alone, of which each of
-/// three angles may be half a step of its word beside.
-compare::Tolerance as_words_hold(const write::Post& post, const Program& program, compare::Tolerance tolerance) {
-    constexpr double words = 5;  // the start counts twice, for it shifts the centre and the radius
-    const double length = write::half_step(post, "length");
-    if (program.lever > 0) {
-        constexpr double angles = 3;
-        tolerance.turn = angles * geom::radians(write::half_step(post, "angle"));
-        tolerance.length += program.lever * tolerance.turn;
-        tolerance.angle = std::max(tolerance.angle, geom::degrees(tolerance.turn / program.tilt));
-    }
-    if (length <= tolerance.length) tolerance.on_arcs = tolerance.length + words * length;
-    constexpr double slack = 1 + 1e-6;
-    // Beside a smooth joint that is rounded a corner appears, whose arc no word is fine enough for.
-    tolerance.increment = std::max(tolerance.increment, 2 * length);
-    tolerance.feed_step = write::half_step(post, "feed") * slack;
-    tolerance.speed_step = write::half_step(post, "speed") * slack;
-    return tolerance;
 }
 
 /// A control would stop at something, or a run found something else that is wrong, besides what is not written.
@@ -179,7 +120,7 @@ std::string_view name_of(Proof proof) {
 
 Proved hold_against(const Translated& translated, const write::Post& post, Request request, const Session& s,
                     const compare::Tolerance& wanted_tolerance, const OwnValues& values) {
-    const Program program = translated.does ? look_through(*translated.does) : Program{};
+    const LookedThrough program = translated.does ? look_through(*translated.does) : LookedThrough{};
     const compare::Tolerance tolerance = as_control_counts(post, wanted_tolerance, program.spread);
     Proved out;
     out.why_not = "the post names no control that can be read";

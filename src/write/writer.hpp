@@ -19,6 +19,7 @@
 #include "write/layout.hpp"
 #include "write/printer.hpp"
 #include "write/staircase.hpp"
+#include "write/writer_pieces.hpp"
 
 namespace obrys::write {
 
@@ -298,12 +299,6 @@ private:
     bool in_other_plane_ = false;  ///< the text has selected another plane than that of X and Y
     Frames frames_;
     std::map<std::array<char, 8>, double> axes_at_;  ///< where each stands, by the moves so far
-    /// The rotary axes turn in the block that tilts the plane.
-    struct PlaneTurn {
-        bool rapid = false;
-        std::optional<double> about{};  ///< mm before the tip: what stays there; nothing: the linear axes stand
-        bool is_written = false;        ///< the words of the plane have done it
-    };
     bool turned_by_control_ = false;  ///< the axes have turned by words of the plane: where the tip is, nobody knows
     bool counts_anew_ = false;        ///< with another plane the rotary axes count otherwise; nothing moves
     std::optional<geom::Vec3> taken_up_;   ///< normal of the tilted plane to which the text has turned the rotary axes
@@ -333,26 +328,16 @@ private:
     std::optional<Command> compensation_;  ///< that the next element of the contour has to say
     bool is_compensating_ = false;         ///< the text has switched it on
     std::optional<Source> compensation_end_;  ///< what ended the last contour
-    struct Lead {
-        Command command = Command::onto_tangent_line;
-        bool onto = true, rapid = false;
-        Values values;
-    };
-    std::optional<Lead> lead_;        ///< the way onto a contour that is being read
-    bool corner_by_moves_ = false;    ///< of the last element
-    bool contour_begun_ = false;      ///< an element has been written under compensation
-    std::vector<Source> programmed_;  ///< sources of elements whose moves the control makes
-    bool straight_alone_ = false;     ///< since all that holds was written, nothing but straight moves has come
+    std::optional<Lead> lead_;                ///< the way onto a contour that is being read
+    bool corner_by_moves_ = false;            ///< of the last element
+    bool contour_begun_ = false;              ///< an element has been written under compensation
+    std::vector<Source> programmed_;          ///< sources of elements whose moves the control makes
+    bool straight_alone_ = false;             ///< since all that holds was written, nothing but straight moves has come
     bool ended_ = false;
     std::optional<cl::Record> stop_waits_;  ///< for what else its block does
 
     std::array<Source, static_cast<std::size_t>(Topic::count)> topics_{};
     const Source* about_ = nullptr;
-    /// Calls and repetitions that are open.
-    struct OpenPart {
-        bool in_layout = false;  ///< else it is a contour of a cycle, or the like
-        bool whole = true;       ///< it may be called by itself
-    };
     std::vector<OpenPart> parts_;
 };
 

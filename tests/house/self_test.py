@@ -151,8 +151,8 @@ class Sizes(InFolder):
         self.assertIn("over 80", self.run_checker("sizes.py", self.folder / "src")[1])
         self.write("src/a/a.cpp", body.replace("{\n", "{  // sizes: table\n", 1))
         self.assertEqual(self.run_checker("sizes.py", self.folder / "src")[0], 0)
-        self.write("src/a/b.cpp", "\n" * 601)
-        self.assertIn("a/b.cpp: 601 lines, over 600", self.run_checker("sizes.py", self.folder / "src")[1])
+        self.write("src/a/b.cpp", "\n" * 351)
+        self.assertIn("a/b.cpp: 351 lines, over 350", self.run_checker("sizes.py", self.folder / "src")[1])
 
 
 class Codes(InFolder):
