@@ -9,13 +9,13 @@ namespace obrys::write {
 
 namespace {
 
-constexpr double place_noise = 1e-6;  ///< mm: a way back ends where it began
+constexpr double way_back_noise = 1e-6;  ///< mm: a way back ends where it began
 
 }  // namespace
 
 /// A word of taps that says the way back leads to where they began.
 void Writer::note_tap_back(const geom::Vec3& to) {
-    if (post_.has(Command::tap) && !(geom::distance(to, tap_from_) <= place_noise))
+    if (post_.has(Command::tap) && !(geom::distance(to, tap_from_) <= way_back_noise))
         note(Fate::lost, "rigid tapping that goes back before it is done: the post has no motion.tap-back");
 }
 
