@@ -10,14 +10,12 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(obrys_warnings INTERFACE -Wno-null-dereference -Wno-restrict -Wno-maybe-uninitialized)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # What GCC's -Wconversion leaves out in C++.
-  target_compile_options(obrys_warnings INTERFACE -Wno-sign-conversion)
+  # What GCC's -Wconversion leaves out in C++; names of files that are compiled together, which GCC tells apart.
+  target_compile_options(obrys_warnings INTERFACE -Wno-sign-conversion -Wno-shadow)
 endif()
 if(OBRYS_CORE)
   # Where sizes have 32 bits, our 64 of indices and tags are narrowed; texts and lists of 4 GiB do not come up there.
-  # Sources that are compiled together see each other's names: what clang says of that, it says by OBRYS_FUZZ, too.
-  target_compile_options(obrys_warnings INTERFACE -Wno-shorten-64-to-32 -Wno-unused-function
-    -Wno-shadow)
+  target_compile_options(obrys_warnings INTERFACE -Wno-shorten-64-to-32 -Wno-unused-function)
 endif()
 if(OBRYS_SANITIZE)
   # float-cast-overflow is no part of GCC's undefined. The test house.casts finds by it who casts a double to an integer
