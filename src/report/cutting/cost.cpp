@@ -12,7 +12,7 @@ using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::size_t item_names = 18, columns = 18;
+constexpr std::size_t name_width = 18, columns = 18;
 constexpr int cents = 2;
 
 std::string money(const std::optional<double>& v) { return v ? base::fixed(*v, cents) : "?"; }
@@ -36,7 +36,7 @@ std::vector<std::string> item_names(const std::vector<CostColumn>& all) {
 
 template <typename Text>
 void put_row(std::string& out, const std::vector<CostColumn>& all, const std::string& name, Text text) {
-    out += padded(name, item_names);
+    out += padded(name, name_width);
     for (const CostColumn& c : all) out += " " + padded(text(c), columns, true);
     out.erase(out.find_last_not_of(' ') + 1);
     out += "\n";
