@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/number.hpp"
+#include "base/whole.hpp"
 
 namespace obrys::driver {
 
@@ -16,7 +17,7 @@ namespace {
 /// Three digits are more than such a fit knows.
 std::string rounded(double v) {
     if (v == 0) return "0";
-    const int digits = 2 - static_cast<int>(std::floor(std::log10(std::abs(v))));
+    const int digits = 2 - base::clipped(std::floor(std::log10(std::abs(v))), -300, 300);
     const double power = std::pow(10.0, digits);
     return base::shortest(digits > 0 ? std::round(v * power) / power
                                      : std::round(v / std::pow(10.0, -digits)) * std::pow(10.0, -digits));

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "base/whole.hpp"
+
 namespace obrys::sim::time {
 
 void SpeedCurve::halve() {
@@ -26,7 +28,7 @@ void SpeedCurve::take(double seconds, double from, double to, const Place& place
     while (end > step_ * static_cast<double>(most_)) halve();
     double now = seconds_, speed = from;
     while (now < end) {
-        auto i = static_cast<std::size_t>(now / step_);
+        auto i = base::clipped<std::size_t>(now / step_, 0, most_);
         if (i < samples_.size() && step_ * static_cast<double>(i + 1) <= now) ++i;  // rounding
         const double until = std::min(end, std::max(step_ * static_cast<double>(i + 1), now * (1 + 1e-15)));
         const double then = until >= end ? to : from + slope * (until - seconds_);
