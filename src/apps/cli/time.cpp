@@ -2,17 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "base/number.hpp"
-#include "base/whole.hpp"
 #include "commands.hpp"
 #include "driver/timing/time_program.hpp"
 #include "milled.hpp"
 #include "report/time/time.hpp"
 #include "session.hpp"
+#include "sim/time/machine_value.hpp"
 
 namespace obrys::cli {
 
@@ -25,15 +24,6 @@ struct Variant {
     times::Dynamics dynamics;
 };
 
-/// Axes that say nothing of their own follow the path.
-bool set_path(times::Dynamics& d, double value, double times::Limits::*path, double times::AxisLimits::*own) {
-    const auto follow = [&](times::AxisLimits& l) { l.*own = l.*own == d.path.*path ? value : l.*own; };
-    for (times::AxisLimits& l : d.axes) follow(l);
-    for (auto& [axis, l] : d.others) follow(l);
-    d.path.*path = value;
-    return true;
-}
-
 /// False: there is no such value of a machine, or not this.
 bool set(times::Dynamics& d, const std::string& name, const std::string& value) {
     if (name == "corner") {
@@ -43,23 +33,7 @@ bool set(times::Dynamics& d, const std::string& name, const std::string& value) 
         return true;
     }
     const std::optional<double> number = base::parse_double(value);
-    if (!number || !std::isfinite(*number) || *number < 0) return false;
-    if (name == "servo_gain") {
-        if (!(d.window > 0)) d.window = 0.01;
-        return d.servo_gain = *number, true;
-    }
-    if (name == "tool_change_time") return d.tool_change = *number, true;
-    if (name == "spindle_time") return d.spindle_time = *number, true;
-    if (name == "strobe_time") return d.strobe_time = *number, true;
-    if (name == "block_time") return d.block_time = *number, true;
-    if (name == "look_ahead") return d.look_ahead = base::clipped<std::size_t>(*number, 0, 1'000'000'000), true;
-    if (*number == 0) return false;
-    if (name == "window") return d.window = *number, true;
-    if (name == "tolerance") return d.tolerance = *number, true;
-    if (name == "acceleration")
-        return set_path(d, *number, &times::Limits::acceleration, &times::AxisLimits::acceleration);
-    if (name == "jerk") return set_path(d, *number, &times::Limits::jerk, &times::AxisLimits::jerk);
-    return false;
+    return number && times::set_value(d, name == "tool_change_time" ? name : "motion." + name, *number);
 }
 
 bool read_variants(const std::vector<std::string>& texts, const times::Dynamics& as_it_is,

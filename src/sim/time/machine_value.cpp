@@ -1,6 +1,7 @@
 #include "sim/time/machine_value.hpp"
 
 #include <cmath>
+#include <type_traits>
 
 #include "base/whole.hpp"
 
@@ -16,7 +17,8 @@ void set_path(Dynamics& d, double value, double Limits::*path, double AxisLimits
 }
 
 /// A plain number of the machine; null: it is none.
-double* number_of(Dynamics& d, std::string_view name) {
+template <class D>
+auto number_of(D& d, std::string_view name) -> decltype(&d.tolerance) {
     if (name == "tool_change_time") return &d.tool_change;
     if (name == "motion.tolerance") return &d.tolerance;
     if (name == "motion.block_time") return &d.block_time;
@@ -28,11 +30,13 @@ double* number_of(Dynamics& d, std::string_view name) {
     return nullptr;
 }
 
+template <class Axis>
 struct OfAxis {
-    AxisLimits* axis = nullptr;
+    Axis* axis = nullptr;
     std::string_view key;
 };
-OfAxis axis_value(Dynamics& d, std::string_view name) {
+template <class D>
+auto axis_value(D& d, std::string_view name) -> OfAxis<std::remove_reference_t<decltype(d.axes[0])>> {
     const std::size_t last = name.rfind('.');
     if (!name.starts_with("axis.") || last < 5) return {};
     const std::string_view axis = name.substr(5, last - 5), key = name.substr(last + 1);
@@ -60,7 +64,7 @@ bool set_value(Dynamics& d, std::string_view name, double value) {
         return set_path(d, value, &Limits::acceleration, &AxisLimits::acceleration), true;
     if (name == "motion.jerk") return set_path(d, value, &Limits::jerk, &AxisLimits::jerk), true;
     if (name == "max_feed") return d.most_feed = value / 60, true;
-    const OfAxis of = axis_value(d, name);
+    const auto of = axis_value(d, name);
     if (of.axis == nullptr) return false;
     if (of.key == "rapid") return of.axis->speed = value / 60, true;
     if (of.key == "acceleration") return of.axis->acceleration = value, true;
@@ -68,14 +72,13 @@ bool set_value(Dynamics& d, std::string_view name, double value) {
     return false;
 }
 
-std::optional<double> value_of(const Dynamics& dynamics, std::string_view name) {
-    auto& d = const_cast<Dynamics&>(dynamics);  // which is only looked at
+std::optional<double> value_of(const Dynamics& d, std::string_view name) {
     if (name == "motion.look_ahead") return static_cast<double>(d.look_ahead);
     if (const double* number = number_of(d, name)) return *number;
     if (name == "motion.acceleration") return d.path.acceleration;
     if (name == "motion.jerk") return d.path.jerk;
     if (name == "max_feed") return d.most_feed * 60;
-    const OfAxis of = axis_value(d, name);
+    const auto of = axis_value(d, name);
     if (of.axis == nullptr) return {};
     if (of.key == "rapid") return of.axis->speed * 60;
     if (of.key == "acceleration") return of.axis->acceleration;
