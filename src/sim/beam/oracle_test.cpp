@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/oracle_testing.hpp"
 #include "geom/vec.hpp"
 #include "sim/beam/beam.hpp"
 #include "sim/beam/blade.hpp"
@@ -17,14 +17,9 @@ namespace {
 using nlohmann::json;
 using Kind = shop::BladeForm::Kind;
 
-class BeamOracle : public ::testing::Test {
+class BeamOracle : public base::testing::OracleTest {
 protected:
-    void SetUp() override {
-        std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/physics/beam.json");
-        if (!file) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/beam.json";
-        oracle = json::parse(file);
-    }
-    json oracle;
+    BeamOracle() : OracleTest("physics/beam.json") {}
 };
 
 void expect_near(double value, double expected, double relative, const std::string& what) {

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "base/oracle_testing.hpp"
 #include "sim/certify/certify.hpp"
 
 namespace obrys::sim::certify {
@@ -20,11 +20,7 @@ using nlohmann::json;
 
 constexpr double height = 100;  ///< mm of every tool, more than any mesh is high
 
-std::optional<json> oracle(const std::string& name) {
-    std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/surfaces/" + name);
-    if (!file) return {};
-    return json::parse(file);
-}
+std::optional<json> oracle(const std::string& name) { return base::testing::oracle("surfaces/" + name); }
 
 mesh::Mesh mesh_of(const json& j) {
     mesh::Mesh m;

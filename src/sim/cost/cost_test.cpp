@@ -1,12 +1,12 @@
 /// The costs of a thesis (../shared/spec/oracle/physics/cost.json), and what a price from the cycle alone leaves out.
 
 #include "sim/cost/cost.hpp"
+#include "base/oracle_testing.hpp"
 
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <numeric>
 
@@ -26,14 +26,9 @@ shop::CostTable thesis(double pieces) {
     return t;
 }
 
-class CostOracle : public ::testing::Test {
+class CostOracle : public base::testing::OracleTest {
 protected:
-    void SetUp() override {
-        std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/physics/cost.json");
-        if (!file) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/cost.json";
-        oracle = json::parse(file);
-    }
-    json oracle;
+    CostOracle() : OracleTest("physics/cost.json") {}
 };
 
 TEST_F(CostOracle, of_the_thesis) {

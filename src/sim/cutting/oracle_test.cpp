@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "base/oracle_testing.hpp"
 #include "geom/vec.hpp"
 #include "sim/cutting/data.hpp"
 #include "sim/cutting/form.hpp"
@@ -24,14 +24,9 @@ const json& case_of(const json& oracle, const std::string& id) {
     return none;
 }
 
-class CuttingOracle : public ::testing::Test {
+class CuttingOracle : public base::testing::OracleTest {
 protected:
-    void SetUp() override {
-        std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/physics/cutting_data.json");
-        if (!file) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/cutting_data.json";
-        oracle = json::parse(file);
-    }
-    json oracle;
+    CuttingOracle() : OracleTest("physics/cutting_data.json") {}
 };
 
 constexpr double exact = 1e-9;

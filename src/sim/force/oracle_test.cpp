@@ -4,9 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/oracle_testing.hpp"
 #include "sim/force/deflection.hpp"
 #include "sim/force/milling.hpp"
 #include "sim/force/processes.hpp"
@@ -20,17 +20,16 @@ using nlohmann::json;
 constexpr double closed = 1e-12, numeric = 3e-3, sloping = 1e-2;
 constexpr int fine = 7200;
 
-class ForceOracle : public ::testing::Test {
+class ForceOracle : public base::testing::OracleTest {
 protected:
+    ForceOracle() : OracleTest("physics/force.json") {}
     void SetUp() override {
-        std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/physics/force.json");
-        if (!file) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/force.json";
-        oracle = json::parse(file);
+        OracleTest::SetUp();
+        if (IsSkipped()) return;
         const json& k = oracle.at("K_used");
         linear.cut = {k[0], k[1], k[2]};
         linear.edge = {k[3], k[4], k[5]};
     }
-    json oracle;
     cutting::Law linear;
 };
 

@@ -4,11 +4,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 
+#include "base/oracle_testing.hpp"
 #include "geom/vec.hpp"
 #include "sim/time/corner.hpp"
 #include "sim/time/profile.hpp"
@@ -20,11 +20,7 @@ using nlohmann::json;
 
 constexpr double without_end = 1e18;  ///< mm/s3: acceleration alone counts
 
-std::optional<json> oracle(const std::string& name) {
-    std::ifstream file(OBRYS_SOURCE_DIR "/../shared/spec/oracle/physics/" + name);
-    if (!file) return {};
-    return json::parse(file);
-}
+std::optional<json> oracle(const std::string& name) { return base::testing::oracle("physics/" + name); }
 #define ORACLE(name, file)                         \
     const std::optional<json> name = oracle(file); \
     if (!name) GTEST_SKIP() << "needs ../shared/spec/oracle/physics/" << file
