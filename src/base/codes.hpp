@@ -42,6 +42,12 @@ inline constexpr std::string_view feed_implausible = "feed-implausible";
 inline constexpr std::string_view tool_missing = "tool-missing";
 inline constexpr std::string_view feed_missing = "feed-missing";
 inline constexpr std::string_view spindle_stopped = "spindle-stopped";
+// findings: of cutting data and forces
+inline constexpr std::string_view feed_differs = "feed-differs-from-cutting-data";
+inline constexpr std::string_view spindle_power = "spindle-power";
+inline constexpr std::string_view spindle_torque = "spindle-torque";
+inline constexpr std::string_view chip_too_thin = "chip-too-thin";
+inline constexpr std::string_view chip_too_thick = "chip-too-thick";
 // findings: the control itself would stop with an alarm here
 inline constexpr std::string_view program_alarm = "program-alarm";
 inline constexpr std::string_view arc_radius = "arc-radius";
@@ -82,6 +88,7 @@ inline constexpr std::string_view runs_file = "runs-file";
 inline constexpr std::string_view no_effect = "no-effect";
 inline constexpr std::string_view written_by_moves = "written-by-moves";
 inline constexpr std::string_view assumption = "assumption";
+inline constexpr std::string_view force_extrapolated = "force-extrapolated";
 }  // namespace codes
 
 inline constexpr std::array all_codes{
@@ -105,6 +112,11 @@ inline constexpr std::array all_codes{
     Code{codes::tool_missing, CodeKind::finding, "a tool or edge that the tool list does not hold"},
     Code{codes::feed_missing, CodeKind::finding, "a feed move without a programmed feed"},
     Code{codes::spindle_stopped, CodeKind::finding, "a cut while the spindle stands still"},
+    Code{codes::feed_differs, CodeKind::finding, "cutting data that contradict each other, or those of the tool"},
+    Code{codes::spindle_power, CodeKind::finding, "a move takes more power than the spindle has"},
+    Code{codes::spindle_torque, CodeKind::finding, "a move takes more torque than the spindle has"},
+    Code{codes::chip_too_thin, CodeKind::finding, "a feed per tooth below those of the tool"},
+    Code{codes::chip_too_thick, CodeKind::finding, "a feed per tooth above those of the tool"},
     Code{codes::program_alarm, CodeKind::finding, "the program raises an alarm of its own (SETAL) or stops itself"},
     Code{codes::arc_radius, CodeKind::finding, "the end point does not lie on the circle"},
     Code{codes::spline_start, CodeKind::finding, "a spline that does not start where the last move ended"},
@@ -147,6 +159,7 @@ inline constexpr std::array all_codes{
     Code{codes::no_effect, CodeKind::info, "a known word without effect on motion"},
     Code{codes::written_by_moves, CodeKind::info, "what a translated program says by its moves alone"},
     Code{codes::assumption, CodeKind::info, "something assumed because the input does not say it"},
+    Code{codes::force_extrapolated, CodeKind::info, "chips for which the material's law of force was not found"},
 };
 
 /// The entry of a code; `unsupported`'s kind for a name that is not in the table.

@@ -4,12 +4,12 @@
 #include <map>
 #include <tuple>
 
+#include "base/codes.hpp"
 #include "base/number.hpp"
-#include "sim/cutting/codes.hpp"
 
 namespace obrys::check::force {
 
-namespace codes = sim::cutting::codes;
+namespace codes = base::codes;
 
 namespace {
 

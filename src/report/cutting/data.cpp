@@ -4,6 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "base/codes.hpp"
 #include "base/number.hpp"
 #include "report/cutting/rows.hpp"
 
@@ -86,7 +87,9 @@ void put_force(std::string& out, const DataSubject& s) {
     out += row("power", figure(d.power), "W", "at the spindle; " + d.law);
     out += row("torque", figure(d.torque), "Nm");
     out += row("specific force", figure(d.specific_force), "N/mm2",
-               d.extrapolated ? "chips are outside of those that the law was found for [force-extrapolated]" : "");
+               d.extrapolated ? "chips are outside of those that the law was found for [" +
+                                    std::string(base::codes::force_extrapolated) + "]"
+                              : "");
 }
 
 }  // namespace
@@ -110,7 +113,7 @@ std::string as_text(const DataSubject& s) {
     for (const std::string& key : s.data.clamped_by) out += "held by the machine: " + key + "\n";
     if (s.data.impossible) out += "the spindle does not turn so slowly that its power would do\n";
     for (const auto& d : s.data.differences)
-        out += difference_text(s.asked, d) + " [" + std::string(sim::cutting::codes::feed_differs) + "]\n";
+        out += difference_text(s.asked, d) + " [" + std::string(base::codes::feed_differs) + "]\n";
     return out;
 }
 
@@ -133,7 +136,7 @@ std::string as_json(const DataSubject& s) {
     out["possible"] = !d.impossible;
     out["findings"] = OrderedJson::array();
     for (const auto& f : d.differences)
-        out["findings"].push_back({{"code", sim::cutting::codes::feed_differs},
+        out["findings"].push_back({{"code", base::codes::feed_differs},
                                    {"value", words_of(f.value).key},
                                    {"given", f.given},
                                    {"computed", f.computed},

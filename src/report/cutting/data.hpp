@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "shop/material.hpp"
-#include "sim/cutting/codes.hpp"
 #include "sim/cutting/data.hpp"
 
 namespace obrys::report::cutting {

@@ -5,6 +5,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "base/codes.hpp"
 #include "base/number.hpp"
 #include "report/cutting/rows.hpp"
 
@@ -176,7 +177,7 @@ std::string as_text(const ForceSubject& s, const ForceOptions& options) {
     if (s.forces.ratios_assumed) out += "assumed: radial force 0.6, axial force 0.2 of the tangential one\n";
     if (const std::uint64_t n = extrapolated(s); n > 0)
         out += std::to_string(n) + (n == 1 ? " move makes chips" : " moves make chips") +
-               " that the law was not found for [force-extrapolated]\n";
+               " that the law was not found for [" + std::string(base::codes::force_extrapolated) + "]\n";
     out += s.feed_is_programmed ? "feeds are the programmed ones: how fast the machine really goes is not known\n"
                                 : "feeds are the mean ones of each line, as obrys time plans them\n";
     for (const std::string& remark : remarks(s)) out += "not known: " + remark + "\n";
