@@ -18,7 +18,8 @@ bool set_material(const Arguments& a, shop::Blade& blade, driver::cutting::Texts
     if (blade.material.empty()) return true;
     const auto all = driver::cutting::materials(a.cutting.materials, texts);
     if (!all) return false;
-    const shop::WorkMaterial* m = driver::cutting::material_named(blade.material, *all, texts, blade.material_where);
+    const shop::WorkMaterial* m =
+        driver::cutting::material_named(blade.material, *all, texts.diagnostics, blade.material_where);
     if (m == nullptr) return false;
     if (!m->elasticity || !m->density) {
         driver::complain(texts.diagnostics, base::codes::job_value, blade.material_where,

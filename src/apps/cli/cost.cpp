@@ -7,12 +7,11 @@
 #include "commands.hpp"
 #include "driver/cutting/tables.hpp"
 #include "driver/files.hpp"
-#include "driver/program_tools.hpp"
+#include "driver/timing/time_program.hpp"
 #include "milled.hpp"
 #include "report/cutting/cost.hpp"
 #include "session.hpp"
 #include "shop/files/cutting/cost_file.hpp"
-#include "sim/time/timer.hpp"
 
 namespace obrys::cli {
 
@@ -29,12 +28,9 @@ std::optional<times::Times> time_of(const Arguments& a, const std::string& progr
         print_diagnostics(s, base::Severity::warning);
         return std::nullopt;
     }
-    for (shop::Tool& tool : driver::program_tools(*s.main, s.job.tools, s.diagnostics))
-        s.job.tools.push_back(std::move(tool));
-    times::Timer timer(s.job.tools, times::dynamics_of(s.job.machine));
-    static_cast<void>(driver::interpret(s, [&](const cl::Record& record) { timer.take(record); }));
+    const driver::Timing timing{driver::dynamics_of(s), {}};
+    times::Times t = std::move(driver::time_program(s, {&timing, 1}).front().times);
     const int code = driver::exit_code_of_run(s);
-    times::Times t = timer.finish();
     print_diagnostics(s, base::Severity::warning);
     if (code == 2) return std::nullopt;
     if (code == 1) gaps.push_back(program + " would stop with an alarm: the time is that of its beginning");

@@ -79,7 +79,8 @@ int data(const Arguments& a) {
     report::cutting::DataSubject subject{a.cutting.asked, {}, {}};
     set_kind(a.cutting.kind, subject.asked);
     if (!a.cutting.material.empty()) {
-        subject.asked.material = driver::cutting::material_named(a.cutting.material, *all, texts, driver::nowhere);
+        subject.asked.material =
+            driver::cutting::material_named(a.cutting.material, *all, texts.diagnostics, driver::nowhere);
         if (subject.asked.material == nullptr) return fail(texts);
     }
     sim::cutting::MachineLimits limits;

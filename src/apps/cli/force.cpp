@@ -6,18 +6,16 @@
 #include <map>
 #include <utility>
 
-#include "base/codes.hpp"
 #include "commands.hpp"
 #include "driver/check_program.hpp"
 #include "driver/cutting/tables.hpp"
 #include "driver/files.hpp"
 #include "driver/program_tools.hpp"
+#include "driver/timing/time_program.hpp"
 #include "milled.hpp"
 #include "report/cutting/force.hpp"
 #include "session.hpp"
 #include "shop/files/cutting/job_cutting.hpp"
-#include "shop/files/cutting/material_file.hpp"
-#include "sim/time/timer.hpp"
 
 namespace obrys::cli {
 
@@ -28,21 +26,15 @@ namespace times = sim::time;
 /// How long each place of the program moves at feed, as the machine's profile has it; seconds.
 using Planned = std::map<times::Place, double>;
 
-void add_program_tools(driver::Session& s) {
-    for (shop::Tool& tool : driver::program_tools(*s.main, s.job.tools, s.diagnostics))
-        s.job.tools.push_back(std::move(tool));
-}
-
 Planned planned_times(const Arguments& a) {
     Planned planned;
     driver::Session s;
     driver::Request request = with_outputs(a);
     request.prints_nowhere = true;  // what the program prints is written once
     if (!driver::open(request, s)) return planned;
-    add_program_tools(s);
-    times::Timer timer(s.job.tools, times::dynamics_of(s.job.machine));
-    static_cast<void>(driver::interpret(s, [&](const cl::Record& record) { timer.take(record); }));
-    for (const times::Spent& spent : timer.finish().places)
+    const driver::Timing timing{driver::dynamics_of(s), {}};
+    const std::vector<driver::Timed> timed = driver::time_program(s, {&timing, 1});
+    for (const times::Spent& spent : timed.front().times.places)
         if (spent.cause < times::Cause::dwell && spent.cause != times::Cause::rapid)
             planned[spent.place] += spent.seconds;
     return planned;
@@ -74,22 +66,16 @@ shop::CuttingJob cutting_job(driver::Session& s, base::Diagnostics& found) {
 /// What the workpiece is made of: as the call says, else the job. Nothing, and no complaint: nobody says it.
 std::optional<shop::WorkMaterial> find_material(const Arguments& a, const shop::CuttingJob& job, driver::Session& s,
                                                 base::Diagnostics& found) {
-    std::vector<shop::WorkMaterial> all;
-    const auto read = [&](const driver::fs::path& path, const base::Span& where) {
-        const auto file = driver::load(*s.storage, path, s.sources, found, where);
-        if (!file) return;
-        for (shop::WorkMaterial& m : shop::read_materials(*file, s.sources, found)) all.push_back(std::move(m));
-    };
-    for (const std::string& path : a.cutting.materials) read(path, driver::nowhere);
-    for (const auto& f : job.materials) read(driver::beside(s.input, f.path), f.where);
-    all.insert(all.end(), shop::shipped_materials().begin(), shop::shipped_materials().end());
+    std::vector<driver::cutting::MaterialFile> files;
+    for (const std::string& path : a.cutting.materials) files.push_back({path, driver::nowhere});
+    for (const auto& f : job.materials) files.push_back({driver::beside(s.input, f.path), f.where});
+    const auto all = driver::cutting::materials(files, *s.storage, s.sources, found);
     const bool by_call = !a.cutting.material.empty();
     const std::string& name = by_call ? a.cutting.material : job.material;
     if (name.empty()) return std::nullopt;
-    if (const shop::WorkMaterial* m = shop::find_material(all, name)) return *m;
-    driver::complain(found, base::codes::job_value, by_call ? driver::nowhere : job.material_where,
-                     "there is no material \"" + name + "\"", shop::material_remedy(all, name));
-    return std::nullopt;
+    const shop::WorkMaterial* m =
+        driver::cutting::material_named(name, all, found, by_call ? driver::nowhere : job.material_where);
+    return m != nullptr ? std::optional(*m) : std::nullopt;
 }
 
 std::vector<std::string> gaps_of(const driver::Session& s, const check::Result& result) {
@@ -107,7 +93,8 @@ std::vector<std::string> gaps_of(const driver::Session& s, const check::Result& 
 int force(const Arguments& a) {
     driver::Session s;
     if (!open(a, s)) return 2;
-    add_program_tools(s);
+    for (shop::Tool& tool : driver::program_tools(*s.main, s.job.tools, s.diagnostics))
+        s.job.tools.push_back(std::move(tool));
     base::Diagnostics found;
     const shop::CuttingJob job = cutting_job(s, found);
     const std::optional<shop::WorkMaterial> material = find_material(a, job, s, found);

@@ -26,24 +26,31 @@ std::optional<shop::Machine> machine_named(const std::string& name, Texts& texts
     return machine;
 }
 
-std::optional<std::vector<shop::WorkMaterial>> materials(const std::vector<std::string>& files, Texts& texts) {
+std::vector<shop::WorkMaterial> materials(const std::vector<MaterialFile>& files, const Storage& storage,
+                                          base::Sources& sources, base::Diagnostics& diagnostics) {
     std::vector<shop::WorkMaterial> all;
-    for (const std::string& path : files) {
-        const auto file = text_of(path, texts);
-        if (!file) return std::nullopt;
-        for (shop::WorkMaterial& m : shop::read_materials(*file, texts.sources, texts.diagnostics))
-            all.push_back(std::move(m));
+    for (const MaterialFile& f : files) {
+        const auto file = load(storage, f.path, sources, diagnostics, f.where);
+        if (!file) continue;
+        for (shop::WorkMaterial& m : shop::read_materials(*file, sources, diagnostics)) all.push_back(std::move(m));
     }
-    if (texts.diagnostics.has_errors()) return std::nullopt;
     all.insert(all.end(), shop::shipped_materials().begin(), shop::shipped_materials().end());
     return all;
 }
 
+std::optional<std::vector<shop::WorkMaterial>> materials(const std::vector<std::string>& files, Texts& texts) {
+    std::vector<MaterialFile> named;
+    for (const std::string& path : files) named.push_back({path, nowhere});
+    auto all = materials(named, *disk(), texts.sources, texts.diagnostics);
+    if (texts.diagnostics.has_errors()) return std::nullopt;
+    return all;
+}
+
 const shop::WorkMaterial* material_named(const std::string& name, const std::vector<shop::WorkMaterial>& all,
-                                         Texts& texts, const base::Span& where) {
+                                         base::Diagnostics& diagnostics, const base::Span& where) {
     const shop::WorkMaterial* m = shop::find_material(all, name);
     if (m == nullptr)
-        complain(texts.diagnostics, base::codes::job_value, where, "there is no material \"" + name + "\"",
+        complain(diagnostics, base::codes::job_value, where, "there is no material \"" + name + "\"",
                  shop::material_remedy(all, name));
     return m;
 }
