@@ -65,6 +65,7 @@ void Staircase::watch_contour() {
         if (!leads && !approaches) add_wall(*walls_, record, from, on);
         approaches = false;
     }
+    if (walls_->is_full()) output_.lost(waiting_.front(), "walls of a contour too long to be watched");
 }
 
 /// Of a move along the contour: what the tool touches, its radius beside the way.

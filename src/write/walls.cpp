@@ -35,22 +35,31 @@ std::uint64_t key(std::int64_t x, std::int64_t y) {
 
 }  // namespace
 
-std::int64_t Walls::cell(double coordinate) const {
-    return base::whole<std::int64_t>(std::floor(coordinate / (2 * radius_)), 0).value_or(0);
+/// Nothing where a way spans more of them than are worth looking through, or lies where no cell has a number.
+std::optional<Walls::Cells> Walls::cells_of(const Vec2& from, const Vec2& to, double around, double most) const {
+    const auto cell = [&](double coordinate) { return std::floor(coordinate / (2 * radius_)); };
+    const double x0 = cell(std::min(from.x, to.x) - around), x1 = cell(std::max(from.x, to.x) + around);
+    const double y0 = cell(std::min(from.y, to.y) - around), y1 = cell(std::max(from.y, to.y) + around);
+    if (!((x1 - x0 + 1) * (y1 - y0 + 1) <= most)) return std::nullopt;
+    const auto whole = [](double v) { return base::whole<std::int64_t>(v, -most_cell, most_cell); };
+    const auto left = whole(x0), right = whole(x1), low = whole(y0), high = whole(y1);
+    if (!left || !right || !low || !high) return std::nullopt;
+    return Cells{*left, *right, *low, *high};
 }
 
 void Walls::add_piece(Vec2 from, Vec2 to) {
-    if (is_full()) return;
+    constexpr double most = 16;  // a piece is as long as a cell at most, but where a line is cut into all it may be
     const auto at = static_cast<std::uint32_t>(pieces_.size());
     pieces_.push_back({from, to});
-    for (std::int64_t x = cell(std::min(from.x, to.x)); x <= cell(std::max(from.x, to.x)); ++x)
-        for (std::int64_t y = cell(std::min(from.y, to.y)); y <= cell(std::max(from.y, to.y)); ++y)
-            cells_[key(x, y)].push_back(at);
+    const std::optional<Cells> in = cells_of(from, to, 0, most);
+    if (!in) return wide_.push_back(at);
+    for (std::int64_t x = in->left; x <= in->right; ++x)
+        for (std::int64_t y = in->low; y <= in->high; ++y) cells_[key(x, y)].push_back(at);
 }
 
 void Walls::add_line(Vec2 from, Vec2 to) {
     const double pieces = std::min(std::max(1.0, std::ceil(geom::distance(from, to) / (2 * radius_))), 1e5);
-    for (double k = 0; k < pieces; ++k)
+    for (double k = 0; k < pieces && !is_full(); ++k)
         add_piece(from + (k / pieces) * (to - from), from + ((k + 1) / pieces) * (to - from));
 }
 
@@ -61,19 +70,24 @@ void Walls::add_arc(Vec2 centre, double radius, double start, double sweep) {
         const double angle = start + sweep * k / pieces;
         return centre + radius * Vec2{std::cos(angle), std::sin(angle)};
     };
-    for (double k = 0; k < pieces; ++k) add_line(at(k), at(k + 1));
+    for (double k = 0; k < pieces && !is_full(); ++k) add_line(at(k), at(k + 1));
 }
 
 double Walls::clearance(Vec2 from, Vec2 to) const {
     double nearest = radius_;
-    const auto low = [&](double a, double b) { return cell(std::min(a, b) - radius_); };
-    const auto high = [&](double a, double b) { return cell(std::max(a, b) + radius_); };
-    for (std::int64_t x = low(from.x, to.x); x <= high(from.x, to.x); ++x) {
-        for (std::int64_t y = low(from.y, to.y); y <= high(from.y, to.y); ++y) {
+    const auto look = [&](const Piece& p) { nearest = std::min(nearest, distance_between(from, to, p.from, p.to)); };
+    // A long way of a small tool spans more cells than there are pieces.
+    const std::optional<Cells> in = cells_of(from, to, radius_, static_cast<double>(pieces_.size()));
+    if (!in) {
+        std::for_each(pieces_.begin(), pieces_.end(), look);
+        return nearest;
+    }
+    for (const std::uint32_t piece : wide_) look(pieces_[piece]);
+    for (std::int64_t x = in->left; x <= in->right; ++x) {
+        for (std::int64_t y = in->low; y <= in->high; ++y) {
             const auto found = cells_.find(key(x, y));
             if (found == cells_.end()) continue;
-            for (const std::uint32_t piece : found->second)
-                nearest = std::min(nearest, distance_between(from, to, pieces_[piece].from, pieces_[piece].to));
+            for (const std::uint32_t piece : found->second) look(pieces_[piece]);
         }
     }
     return nearest;
