@@ -94,6 +94,7 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
         const double top = height(cycle, cl::CycleRole::surface).value_or(*retract);
         values_.set(Value::hole_top, top);
         values_.set(Value::hole_gap, *retract - top);
+        values_.set(Value::hole_end, height(cycle, cl::CycleRole::return_level).value_or(*retract));
         if (const auto bottom = height(cycle, cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
     }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
