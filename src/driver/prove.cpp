@@ -234,6 +234,12 @@ write::Post by_tool_path(write::Post post) {
     return post;
 }
 
+/// A reference point and the coordinates of its place have one word between them: whether they are the same counts.
+bool lacks_a_word_for_homes(const write::Post& post) {
+    using write::Command;
+    return !post.has(Command::machine_home) || !post.has(Command::machine_coordinates);
+}
+
 /// A way of writing a program, and the post by which that was done.
 struct Version {
     write::Post post;
@@ -260,9 +266,11 @@ bool is_better(const Settled& a, const Settled& b) {
 
 }  // namespace
 
-Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
+Settled translate(Session& session, const write::Post& post, const Request& wanted, const TranslateOptions& options,
                   const compare::Tolerance& tolerance) {
     constexpr int most_attempts = 16;
+    Request request = wanted;
+    request.homes_at_zero = session.homes_at_zero = lacks_a_word_for_homes(post);
     Version best{post, {write_program(session, post, options), {}}};
     if (best.settled.translated.ending == interp::Ending::budget) {
         best.settled.proved.why_not = "the program does not end within the limits of its run";

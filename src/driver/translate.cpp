@@ -10,6 +10,7 @@
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "driver/stream_file.hpp"
+#include "shop/home.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -100,7 +101,8 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     base::Diagnostic d;
     const bool lost = note.fate == write::Fate::lost;
     d.severity = lost ? base::Severity::error : base::Severity::note;
-    d.code = lost ? codes::not_written : codes::written_by_moves;
+    d.code = lost ? codes::not_written : !note.remedy.empty() ? codes::assumption : codes::written_by_moves;
+    d.remedy = note.remedy;
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
@@ -175,6 +177,7 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
         const UsedForm now = used(by, post, taken);
         if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
     };
+    output.homes = out.homes;
     output.run = std::move(run);
     write::Writer writer(post, name_in(post, options.name), output);
     stream([&](const cl::Record& record) {
@@ -186,6 +189,15 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
     if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
     note_characters(out, post);
+}
+
+write::Homes homes_of(const Session& s) {
+    write::Homes out;
+    for (std::size_t k = 0; k < out.at.size(); ++k) {
+        const shop::Home home = shop::home_of(s.job.machine, std::string_view("XYZ").substr(k, 1), s.homes_at_zero);
+        out.at[k] = home.at, out.assumed[k] = home.is_assumed;
+    }
+    return out;
 }
 
 bool has_remarks(const Session& s) {
@@ -236,6 +248,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     if (shop::Budgets& limits = session.job.budgets; !limits.bounds_loops) limits.loop_passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
+    out.homes = homes_of(session);
     make_room(*out.text, session.sources[session.main != nullptr ? session.main->file : 0].text.size());
     cl::Recording does;
     std::optional<write::Magazine> magazine;
@@ -257,6 +270,7 @@ Translated write_again(const Translated& first, const write::Post& post, const T
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
+    out.homes = first.homes;
     make_room(*out.text, first.text->size());
     write_stream(out, post, options, [&](cl::Sink sink) {
         cl::Recording::Playback stream(*out.does);

@@ -53,6 +53,7 @@ struct Translated {
     std::vector<UsedForm> forms{};              ///< of cycles, where another one than before is used
     interp::Ending ending = interp::Ending::regular;  ///< of the program
     bool repeats = false;                             ///< it begins anew, without end
+    write::Homes homes{};                             ///< of the machine that it was run on
     bool begins_anew = false;                         ///< what is written does so, too
 };
 

@@ -3,7 +3,9 @@
 /// called write their blocks once, as subprograms, where they come to the same again. Holds the text of open parts and
 /// of subprograms, nothing of the main program.
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -20,6 +22,13 @@ struct FoldedBy {
     const CycleForm* form = nullptr;
 };
 
+/// Machine coordinates of the reference points of X, Y and Z, NaN where they are not known.
+struct Homes {
+    std::array<double, 3> at{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::quiet_NaN()};
+    std::array<bool, 3> assumed{};  ///< nobody has given them
+};
+
 struct Output {
     std::function<void(std::string_view)> text;
     std::function<void(Note)> note;
@@ -27,6 +36,7 @@ struct Output {
     std::function<void(const std::string& name, std::string_view text)> file{};
     std::function<void(const cl::Record&)> run{};   ///< what is written, where that is not what was taken (staircases)
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
+    Homes homes{};                                  ///< of the machine
 };
 
 /// A text in UTF-8 as the control has it; ? for what it does not have.

@@ -167,7 +167,7 @@ private:
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
     void write_frame();
-    [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
+    [[nodiscard]] bool write_said(const cl::Linear& line, cl::MachinePlace place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
     [[nodiscard]] bool is_turned_by_control(const cl::Step& step) const;
@@ -200,7 +200,11 @@ private:
                                              const geom::Vec3& centre) const;
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
+    [[nodiscard]] Command home_command(const cl::MachinePlace& place) const;
+    [[nodiscard]] bool is_at_home(const cl::MachinePlace& place) const;
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
+    void note_assumed_home(const cl::MachinePlace& place, bool by_home);
+    [[nodiscard]] std::string why_not_placed(const cl::MachinePlace& place, Command command) const;
     void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
@@ -258,6 +262,7 @@ private:
     void coolant_said(std::uint64_t line);
 
     const Post& post_;
+    Homes homes_;
     std::string name_;
     Layout layout_;
     Printer printer_;

@@ -56,9 +56,16 @@ double axis_coordinate(const Reckoning& run, std::size_t axis) {
 
 namespace {
 
+/// A length that nobody has given is compensated along the axis: how far the gauge point stands off is not known.
+bool is_length_unknown(const Reckoning& run, std::size_t axis) {
+    const Offsets& o = run.offsets;
+    return o.is_not_given && o.length != Offsets::Length::none && axis == 2;
+}
+
 /// As machine_ahead, of a control whose offsets are kept in parameters.
 double kept_ahead(const Reckoning& run, std::size_t axis) {
     const Offsets& o = run.offsets;
+    if (is_length_unknown(run, axis)) return unknown_number;
     const bool known = run.datum_known && is_datum_given(run, axis) && o.given[axis];
     return known ? o.reference[axis] + tip_in_use(o)[axis] : unknown_number;
 }
