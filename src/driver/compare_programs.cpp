@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "cl/text.hpp"
 #include "driver/control.hpp"
@@ -81,14 +80,17 @@ public:
     }
     /// What one says by its reference point the other says by coordinates. If nobody has given home, they are the same
     /// place as far as that is taken for granted.
-    static void tell_assumed(const SaidPlaces& a, const SaidPlaces& b, Session& of_a, Session& of_b) {
-        if (a.kinds_ == b.kinds_) return;
-        tell(a, of_a);
-        tell(b, of_b);
+    static std::vector<std::string> assumed(const SaidPlaces& a, const SaidPlaces& b, const Session& of_a,
+                                            const Session& of_b) {
+        std::vector<std::string> out;
+        if (a.kinds_ == b.kinds_) return out;
+        tell(a, of_a, out);
+        tell(b, of_b, out);
+        return out;
     }
 
 private:
-    static void tell(const SaidPlaces& said, Session& session) {
+    static void tell(const SaidPlaces& said, const Session& session, std::vector<std::string>& out) {
         std::string axes;
         for (std::size_t k = 0; k < said.axes_.size(); ++k) {
             const std::string name(1, "XYZ"[k]);
@@ -96,15 +98,11 @@ private:
                 axes += (axes.empty() ? "" : ", ") + name;
         }
         if (axes.empty()) return;
-        base::Diagnostic d;
-        d.severity = base::Severity::note;
-        d.code = base::codes::assumption;
-        d.where = said.first_home_->from;
-        d.stack = session.stacks.sites(said.first_home_->stack);
-        d.text = "no home of " + axes +
-                 " is given: machine coordinate 0, to which the other goes, is taken for it, as on most machines";
-        d.remedy = "give home of the axes in the machine file";
-        session.diagnostics.add(std::move(d));
+        const base::Position at = session.sources.position(said.first_home_->from);
+        out.push_back(std::string(session.sources[said.first_home_->from.file].name) + ":" + std::to_string(at.line) +
+                      ": no home of " + axes +
+                      " is given: machine coordinate 0, to which the other goes, is taken for it, as on most machines "
+                      "(home in the machine file)");
     }
 
     std::vector<cl::PlaceKind> kinds_;
@@ -179,7 +177,7 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
     Records in_b(b, [&](const cl::Record& record) { places_b.take(record), comparison.take(Side::b, record); });
     compare::Result out = compare_steps(
         comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
-    SaidPlaces::tell_assumed(places_a, places_b, a, b);
+    out.assumed = SaidPlaces::assumed(places_a, places_b, a, b);
     if (in_a.repeats() != in_b.repeats())  // which is more than an end that one of them alone says
         std::erase_if(out.first,
                       [](const compare::Difference& d) { return d.aspect == compare::Aspect::events && !d.is_done; });

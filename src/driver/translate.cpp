@@ -156,7 +156,7 @@ cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
 
 /// Where a form of the post stands among those for its kind of cycle.
 UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t record) {
-    UsedForm out{record, by.kind, std::nullopt};
+    UsedForm out{record, by.cycle, by.kind, std::nullopt};
     if (by.form != nullptr) out.form = static_cast<std::size_t>(by.form - post.cycles.at(by.kind).data());
     return out;
 }
@@ -164,7 +164,8 @@ UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t re
 /// Writes a stream, which `stream` hands to a sink. `run`: what the post makes of it where those are other moves
 /// (staircases); null: nobody asks.
 void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
-                  const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr) {
+                  const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr,
+                  const std::set<std::size_t>& by_moves = {}) {
     write::Output output;
     output.text = [&](std::string_view text) { out.text->append(text); };
     output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
@@ -173,10 +174,8 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
             out.files.push_back({file, std::string(text)});
         };
     std::size_t taken = 0;
-    output.folded = [&](const write::FoldedBy& by) {
-        const UsedForm now = used(by, post, taken);
-        if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
-    };
+    output.folded = [&](const write::FoldedBy& by) { out.forms.push_back(used(by, post, taken)); };
+    output.by_moves = by_moves;
     output.homes = out.homes;
     output.run = std::move(run);
     write::Writer writer(post, name_in(post, options.name), output);
@@ -266,17 +265,21 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     return out;
 }
 
-Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options) {
+Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options,
+                       const std::set<std::size_t>& by_moves) {
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
     out.homes = first.homes;
     make_room(*out.text, first.text->size());
-    write_stream(out, post, options, [&](cl::Sink sink) {
-        cl::Recording::Playback stream(*out.does);
-        while (stream.step(sink)) {
-        }
-    });
+    write_stream(
+        out, post, options,
+        [&](cl::Sink sink) {
+            cl::Recording::Playback stream(*out.does);
+            while (stream.step(sink)) {
+            }
+        },
+        nullptr, by_moves);
     return out;
 }
 

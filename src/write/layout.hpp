@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,6 +21,7 @@ namespace obrys::write {
 struct FoldedBy {
     cl::CycleKind kind = cl::CycleKind::drill;
     const CycleForm* form = nullptr;
+    std::size_t cycle = 0;  ///< of those that were taken, counted from 0
 };
 
 /// Machine coordinates of the reference points of X, Y and Z, NaN where they are not known.
@@ -36,7 +38,8 @@ struct Output {
     std::function<void(const std::string& name, std::string_view text)> file{};
     std::function<void(const cl::Record&)> run{};   ///< what is written, where that is not what was taken (staircases)
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
-    Homes homes{};                                  ///< of the machine
+    std::set<std::size_t> by_moves{};  ///< cycles that are written by their moves whatever forms there are, from 0
+    Homes homes{};                     ///< of the machine
 };
 
 /// A text in UTF-8 as the control has it; ? for what it does not have.

@@ -107,6 +107,7 @@ private:
     void event(const cl::Dwell& dwell);
     void event(const cl::Stop& stop);
     void event(const cl::Comment& comment);
+    [[nodiscard]] std::vector<std::string> lines_about_cycles() const;
     void event(const cl::Output& signal);
     void event(const cl::Override& allowed);
     void event(const cl::Auxiliary& aux);
@@ -273,6 +274,8 @@ private:
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
     std::optional<LoneTaps> taps_;     ///< the same, where it taps by cycles alone
     std::function<void(const FoldedBy&)> folded_;
+    std::set<std::size_t> by_moves_;
+    std::size_t cycles_taken_ = 0;
     std::unique_ptr<Hooks> hooks_;                                         ///< null: the post has none
     Template said_;                                                        ///< by one of them
     std::array<Places, static_cast<std::size_t>(Command::count)> places_;  ///< of the post's commands
