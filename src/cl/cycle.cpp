@@ -13,7 +13,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(CycleKind::probe
     "peck", "drill", "ream", "bore", "universal-drill", "back-bore", "universal-peck", "bore-mill", "centre",
     "single-lip", "tap-floating-simple", "tap-floating", "tap-rigid-simple", "tap-rigid", "tap-chip-breaking",
     "thread-cut", "thread-mill", "thread-mill-countersink", "thread-mill-drill", "thread-mill-helix",
-    "thread-mill-outside", "canned-drill", "canned-chip-break", "canned-peck", "canned-tap-floating",
+    "thread-mill-outside", "canned-drill", "canned-chip-break", "canned-peck", "canned-deep", "canned-tap-floating",
     "canned-tap-rigid", "canned-bore-feed", "canned-bore-stop", "canned-bore-orient", "canned-back-bore",
     "canned-bore-manual", "canned-circular-pocket", "lathe-finish-offset", "lathe-rough-along", "lathe-rough-across",
     "lathe-thread-degressive", "lathe-finish", "lathe-remove-along", "lathe-remove-across", "lathe-repeat-pattern",
@@ -54,7 +54,8 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(CycleRole::turne
     "offset-v", "allowance-first", "allowance-last", "allowance-v", "relief-u", "relief-v", "stepover", "relief",
     "crest-offset", "first-depth", "thread-depth", "degression", "infeed-angle", "spring-passes", "finish-passes",
     "finish-allowance", "taper-length", "taper-ends", "taper-u", "taper-v", "runout", "runout-leads", "infeed-method",
-    "first-infeed", "second-infeed", "peck-to-surface", "chip-break-turns", "kept", "turned-axes",
+    "first-infeed", "second-infeed", "peck-to-surface", "chip-break-turns", "kept", "infeed-factor", "spindle-after", "stops-program",
+    "shift-w", "turned-axes",
 };
 
 // clang-format on

@@ -38,6 +38,7 @@ enum class CycleKind : std::uint8_t {
     canned_drill,         ///< feed down, rapid out; with a dwell also counterboring
     canned_chip_break,    ///< infeeds, after each a little back
     canned_peck,          ///< infeeds, after each out to the retract plane
+    canned_deep,          ///< infeeds that fall by an amount or a factor, with dwells; a little back or out after each
     canned_tap_floating,  ///< feed in, spindle reversed, feed out
     canned_tap_rigid,     ///< axis and spindle coupled
     canned_bore_feed,     ///< feed down, feed out
@@ -315,6 +316,10 @@ enum class CycleRole : std::uint8_t {
     peck_to_surface,   ///< 1: pecking goes out to the surface, not to the retract plane
     chip_break_turns,  ///< of a rigid tap: back by so many pitches after each infeed
     kept,              ///< not looked at by this cycle, held for the next of its series: no part of what it says
+    infeed_factor,     ///< each infeed is the one before times this; below 1
+    spindle_after,     ///< how the spindle turns behind the cycle: +1, -1, 0 it stands
+    stops_program,     ///< 1: the program stops at the bottom of the hole, as at M0
+    shift_w,           ///< beside shift_u and shift_v, along the tool's axis
     turned_axes,       ///< fault of a control, tapping: 1 feeds to (v, w, u) of the place it means, 2 to (w, u, v)
 };
 

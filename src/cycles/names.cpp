@@ -191,6 +191,10 @@ std::string_view name(cl::CycleRole role) {
         case peck_to_surface: return "way out of pecking";
         case chip_break_turns: return "turns back for chip breaking";
         case kept: return "value for a later cycle";
+        case infeed_factor: return "factor of the infeeds";
+        case spindle_after: return "direction of the spindle behind the cycle";
+        case stops_program: return "program stop in the hole";
+        case shift_w: return "shift along the tool axis";
         case turned_axes: return "order of the axes";
     }
     return "parameter";

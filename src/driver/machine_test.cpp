@@ -76,7 +76,7 @@ int copied(const std::string& folder, std::string_view control, shop::MachineKin
     std::mt19937 random(seed);
     int made = 0;
     for (const Case& c : testing::golden_cases(folder))
-        for (const std::uint32_t most : {4U, 20U, 60U})
+        for (const std::uint32_t most : {4U, 20U, 60U, 600U})
             made += goes_on_alike(c, control, kind, random() % most) ? 1 : 0;
     return made;
 }
@@ -98,6 +98,14 @@ TEST(Machine, GoesOnFromACopyOfFanuc) {
 TEST(Machine, GoesOnFromACopyOfLinuxCnc) {
     EXPECT_GT(copied("linuxcnc", "linuxcnc", shop::MachineKind::mill), 50);
     EXPECT_GT(copied("linuxcnc", "linuxcnc", shop::MachineKind::lathe), 50);
+}
+
+TEST(Machine, GoesOnFromACopyOfTheOthers) {
+    EXPECT_GT(copied("fanuc", "haas", shop::MachineKind::mill), 50);
+    EXPECT_GT(copied("acramatic", "acramatic-2100", shop::MachineKind::mill), 10);
+    EXPECT_GT(copied("nc470", "nc-470", shop::MachineKind::mill), 10);
+    EXPECT_GT(copied("apt", "apt-cl", shop::MachineKind::mill), 10);
+    EXPECT_GT(copied("fusion", "fusion", shop::MachineKind::mill), 10);
 }
 
 // --- who listens changes nothing: the same records, complaints and ends with a listener and without one

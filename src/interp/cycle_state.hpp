@@ -19,6 +19,22 @@ namespace obrys::interp {
 
 using program::Unit;
 
+/// What a call of a cycle at one hole says (Traits::called_holes): mm, degrees, s, 1/min; NaN: written, but not known.
+struct HoleCall {
+    const program::CalledHole* cycle = nullptr;
+    std::vector<std::optional<double>> arguments;  ///< as the cycle has them; nothing: left out
+    base::Span where;
+
+    [[nodiscard]] std::optional<double> find(program::HoleArgument a) const {
+        for (std::size_t i = 0; i < arguments.size(); ++i)
+            if (cycle->arguments[i] == a) return arguments[i];
+        return std::nullopt;
+    }
+    [[nodiscard]] double get(program::HoleArgument a, double otherwise = 0) const {
+        return find(a).value_or(otherwise);
+    }
+};
+
 /// MCALL: the call that follows every block with motion.
 struct ModalCall {
     const Unit* unit = nullptr;
@@ -28,6 +44,9 @@ struct ModalCall {
     /// With Traits::argument_parameters: the called program's own parameters, which stay from call to call.
     std::vector<std::pair<double, bool>> parameters;
     std::uint64_t repeats = 0;  ///< further runs of each call
+    HoleCall hole;              ///< a cycle of the control, instead of `unit`
+
+    [[nodiscard]] bool is_on() const { return unit != nullptr || hole.cycle != nullptr; }
 };
 
 /// A cycle as its definition left it.

@@ -131,6 +131,62 @@ struct CannedCycle {
     bool turns_axes = false;                ///< a fault of the control: outside G17 it feeds to another place
 };
 
+/// What an argument of a cycle at one hole says that is called like a program (CYCLE81). Lengths in the program's unit;
+/// planes and bottoms are coordinates of the tool axis.
+enum class HoleArgument : std::uint8_t {
+    ignored,       ///< says nothing about the path
+    unknown,       ///< only a call that leaves it out, or writes 0, is run
+    return_plane,  ///< where the cycle ends
+    reference_plane,
+    clearance,        ///< above the reference plane, without sign
+    bottom,           ///< the end of the hole
+    depth,            ///< … or its distance below the reference plane; counts where both are written
+    dwell,            ///< s
+    dwell_or_turns,   ///< s; negative: turns of the spindle
+    first_bottom,     ///< of deep drilling: where the first infeed ends
+    first_depth,      ///< … or its distance below the reference plane
+    degression,       ///< of the infeeds; negative: a factor
+    dwell_first,      ///< before each infeed, as dwell_or_turns
+    feed_factor,      ///< of the first infeed
+    way_out,          ///< 0 a little back after each infeed, 1 out of the hole
+    axis,             ///< along which it drills: 3 or left out, the tool axis
+    least_infeed,     ///< of deep drilling
+    way_back,         ///< after an infeed
+    dwell_last,       ///< at the bottom, as dwell_or_turns; 0 that of the others
+    stop_distance,    ///< above the depth reached, where the rapid way back into the hole ends; 0 by a rule
+    direction_after,  ///< of the spindle: 3 M3, 4 M4, 5 M5
+    direction_back,   ///< of the spindle on the way out of a thread
+    direction,        ///< of the spindle in the hole
+    encoder,          ///< of the spindle: how the thread is made
+    size,             ///< of an ISO metric thread with coarse pitch
+    pitch,            ///< positive right-hand
+    pitch_unit,       ///< 0 of the program, 1 mm, 2 threads an inch, 3 inches
+    spindle_angle,    ///< at which the spindle stops, degrees
+    speed_in,         ///< 1/min
+    speed_out,
+    steps,   ///< of a tap: 0 none, 1 a little back, 2 out after each
+    infeed,  ///< of these
+    feed_in,
+    feed_out,
+    shift_u,  ///< away from the wall of the hole
+    shift_v,
+    shift_w,
+    plane,  ///< in which the cycle works: 0 the one in force, 1 G17 …
+    modes,  ///< how other arguments count; CalledHole::known_modes
+};
+
+/// What a called cycle does at the hole.
+enum class HoleShape : std::uint8_t { drill, deep_drill, tap_rigid, tap_floating, bore_feed, bore_orient, bore_stop };
+
+/// A cycle at one hole that is called like a program.
+struct CalledHole {
+    std::string_view name;
+    HoleShape shape = HoleShape::drill;
+    std::span<const HoleArgument> arguments;
+    std::span<const int> known_modes{};  ///< besides 0: they change nothing but what `HoleArgument` says
+    bool stops_program = false;          ///< at the bottom
+};
+
 /// The way along which the pitch of a thread counts.
 enum class PitchAlong : std::uint8_t {
     axis_of_word,   ///< the axis whose word says it (I, J, K)

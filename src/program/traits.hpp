@@ -225,6 +225,8 @@ struct Traits {
     bool missing_program_stops = false;
     /// A path at feed without a feed programmed before is an alarm; else it is for the check to say.
     bool needs_feed = false;
+    /// A canned cycle under radius compensation is an alarm.
+    bool compensation_forbids_canned = false;
     /// What the control makes of an F that was programmed in another unit (G94, G95) than the one in force; empty: that
     /// is not known.
     std::string_view feed_in_other_unit{};
@@ -242,6 +244,7 @@ struct Traits {
     /// M function whose Q says which tool is in the spindle, without a change; 0: there is none.
     std::int16_t tool_number_function = 0;
     std::span<const CannedCycle> canned{};
+    std::span<const CalledHole> called_holes{};
     /// Turning cycles, by the number of their block's word (Modal::turning_cycle).
     std::span<const CannedCycle> turning{};
     std::span<const ControlParameter> set_by_control{};

@@ -86,6 +86,9 @@ enum class ControlCycle : std::uint8_t {
     not_run,         ///< known, and not run
     path_tolerance,  ///< CYCLE832: tolerances, compressors and dynamics; it moves nothing
     swivel,          ///< CYCLE800: run as far as it only resets the tilted plane
+    hole,            ///< at one hole (CYCLE81 …): Call::form says which
+    hole_row,        ///< HOLES1: the modal cycle at each of them
+    hole_circle,     ///< HOLES2
 };
 
 enum class CallKind : std::uint8_t {
@@ -106,6 +109,7 @@ struct Call {
     ExprId first_block = no_expr;   ///< number of the block with which the called program begins (M98 P Q)
     base::Span where;               ///< of the name
     ControlCycle control_cycle = ControlCycle::none;
+    std::uint16_t form = 0;     ///< of a control_cycle `hole`: index in Traits::called_holes
     std::uint32_t problem = 0;  ///< of a control_cycle: index into Unit::problems, what is said where it is not run
 };
 

@@ -114,6 +114,7 @@ struct Post {
     bool plane_by_centre = false;  ///< an arc lies in that of its centre's two coordinates, without a word for it
     bool plane_returns = false;    ///< to that of X and Y behind what asks for another one
     std::string stop_stops_spindle;         ///< the same of stops of the program
+    bool speeds_call_cycle = false;         ///< a block with S in a series calls its cycle: it ends the series first
     bool place_known_behind_cycle = false;  ///< X, Y, Z that hold behind a cycle need not be said anew
     bool raises_to_retract_plane = false;   ///< before cycles, where the tool stands below it, and before it moves over
     std::vector<std::string> kept_in_cycles;  ///< letters of words that stay in force within a series of cycles

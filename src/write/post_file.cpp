@@ -167,6 +167,7 @@ private:
             if (name == "plane") post_.plane_returns = s.boolean("returns").value_or(false);
             if (name == "plane") post_.plane_by_centre = s.boolean("by_centre").value_or(false);
             if (name == "stop") post_.stop_stops_spindle = stopped_by(s);
+            if (name == "cycles") post_.speeds_call_cycle = s.boolean("speeds_call").value_or(false);
             if (name == "cycles") post_.place_known_behind_cycle = s.boolean("place_known").value_or(false);
             if (name == "cycles") post_.raises_to_retract_plane = s.boolean("raises_first").value_or(false);
             if (name == "cycles") post_.rise_before_cycle_end = s.boolean("rise_before_end").value_or(false);

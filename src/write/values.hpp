@@ -72,6 +72,7 @@ enum class Value : std::uint8_t {
     hole_top,  ///< w of the surface, where the cycle says it, else of the retract plane
     hole_way,  ///< from there down to the bottom, positive
     hole_gap,  ///< from there up to the retract plane
+    hole_end,  ///< where the cycle ends: the return level, else the retract plane
     // What holds.
     feed,
     speed,

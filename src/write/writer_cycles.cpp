@@ -94,6 +94,7 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
         const double top = height(cycle, cl::CycleRole::surface).value_or(*retract);
         values_.set(Value::hole_top, top);
         values_.set(Value::hole_gap, *retract - top);
+        values_.set(Value::hole_end, height(cycle, cl::CycleRole::return_level).value_or(*retract));
         if (const auto bottom = height(cycle, cl::CycleRole::bottom)) values_.set(Value::hole_way, top - *bottom);
     }
     if (s.feed.value != 0) values_.set(Value::feed, s.feed.value);
@@ -101,6 +102,7 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
     // A tap turns the spindle with the speed with which it turned last.
     if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) turning_speed_ = s.spindle.speed;
     if (turning_speed_ > 0) values_.set(Value::speed, turning_speed_);
+    if (way.speed) values_.set(Value::speed, *way.speed);
 }
 
 /// Where the tool stood when the series began, or stands when it begins with a cycle now. Of a way over the hole its
@@ -231,6 +233,8 @@ bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     if (hooked && !ask_cycle(cycle, said)) return false;
     if (!said.call.empty()) form = &said;
     if (form == nullptr) return false;
+    const bool takes_speed = !says(form->define, index_of(Value::speed)) && !says(form->call, index_of(Value::speed));
+    if (way.speed && takes_speed && *way.speed != turning_speed_) return false;
     const auto sayable = [&](const Block& block) { return printer_.whole(block, values_).has_value(); };
     if (!std::all_of(form->define.begin(), form->define.end(), sayable) ||
         !std::all_of(form->call.begin(), form->call.end(), sayable))

@@ -138,6 +138,7 @@ void Writer::write_spindle(const cl::Spindle& s) {
         return;
     const bool leaves = spindle_.mode == cl::SpindleMode::surface && s.mode == cl::SpindleMode::rpm;
     if (s.direction != 0 || s.held) end_tap();
+    if (post_.speeds_call_cycle) end_cycles();
     spindle_ = s;
     values_.clear();
     if (leaves && !post_[Command::leave_surface].empty())

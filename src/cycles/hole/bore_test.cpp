@@ -31,8 +31,9 @@ const Values back_bore = {{Role::clearance, 2},          {Role::surface, 0},    
 
 // Edge 2 below the underside: tip -20 - 2 - 15; edge 5 into it: tip -20 + 5 - 15.
 TEST(bore, BackBoring) {
-    EXPECT_EQ(run(Kind::back_bore, back_bore),
-              "R w2 S0 held F750 L u6.5 L w-37 L u10 S1000 F200 L w-30 D1 F750 L w-37 S0 held L u6.5 L w2 R w50 R u10 S1000");
+    EXPECT_EQ(
+        run(Kind::back_bore, back_bore),
+        "R w2 S0 held F750 L u6.5 L w-37 L u10 S1000 F200 L w-30 D1 F750 L w-37 S0 held L u6.5 L w2 R w50 R u10 S1000");
     EXPECT_FALSE(expand_hole({Kind::back_bore, with(back_bore, {{Role::retract_direction, 0}})}, situation()).ok());
     EXPECT_FALSE(expand_hole({Kind::back_bore, with(back_bore, {{Role::counterbore_depth, -5}})}, situation()).ok());
     EXPECT_FALSE(expand_hole({Kind::back_bore, with(back_bore, {{Role::counterbore_depth, 21}})}, situation()).ok());

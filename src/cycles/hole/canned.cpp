@@ -26,6 +26,7 @@ geom::Vec2 read_target(Course& c, const Situation& s) {
 Hole read_hole(Course& c, const Situation& s) {
     Hole h;
     h.target = read_target(c, s);
+    h.called_here = std::isnan(c.maybe(Role::target_u, unknown)) && std::isnan(c.maybe(Role::target_v, unknown));
     h.retract = c.need(Role::retract_plane);
     h.bottom = c.need(Role::bottom);
     h.end = c.maybe(Role::return_level, h.retract);
@@ -42,7 +43,7 @@ void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true)
 
 void approach(Course& c, const Hole& h) {
     if (h.rise_first && !h.risen && c.at().z < h.retract) rapid_to_w(c, h.retract);
-    c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
+    if (!h.called_here) c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
     c.over_place();
     if (c.at().z != h.retract) rapid_to_w(c, h.retract);
 }
@@ -59,7 +60,8 @@ void feed_out(Course& c, const Hole& h, bool whole_way) {
 
 Turning read_turning(Course& c, const Situation& s) {
     Turning t;
-    t.speed = c.spindle_speed(s);
+    const double said = c.maybe_at_least(Role::spindle_speed, 0, unknown);
+    t.speed = std::isnan(said) ? c.spindle_speed(s) : said;
     const double wanted = c.maybe(Role::spindle_direction, s.spindle_direction);
     if (wanted == 0) c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
     if (wanted != 0 && std::abs(wanted) != 1) c.fault(Role::spindle_direction, "the spindle direction must be 1 or -1");
@@ -69,6 +71,20 @@ Turning read_turning(Course& c, const Situation& s) {
 
 void stop_spindle(Course& c, const Turning& t) { c.spindle(t.speed, 0); }
 void start_spindle(Course& c, const Turning& t) { c.spindle(t.speed, t.direction); }
+
+void begin_turning(Course& c, const Demand& demand, const Situation& s, const Turning& t) {
+    if (demand.get(Role::starts_spindle, 0) == 1 && s.spindle_direction != t.direction) start_spindle(c, t);
+}
+
+void end_turning(Course& c, const Demand& demand, const Turning& t) {
+    const auto after = demand.find(Role::spindle_after);
+    if (!after) return start_spindle(c, t);
+    if (*after != 0) c.spindle(t.speed, *after > 0 ? 1 : -1);
+}
+
+void feed_of(Course& c, const Demand& demand, Role role) {
+    if (const auto feed = demand.find(role)) c.add(cl::Feed{*feed, cl::FeedMode::per_minute});
+}
 
 namespace {
 
@@ -200,6 +216,7 @@ void expand_canned(Course& c, const Demand& demand, const Situation& situation) 
         case Kind::canned_drill: return drill(c, demand, situation);
         case Kind::canned_chip_break: return pecks(c, demand, situation, true);
         case Kind::canned_peck: return pecks(c, demand, situation, false);
+        case Kind::canned_deep: return canned_deep(c, demand, situation);
         case Kind::canned_tap_floating:
         case Kind::canned_tap_rigid: return canned_tap(c, demand, situation);
         default: return canned_bore(c, demand, situation);

@@ -9,12 +9,12 @@
 /// Then what the kind says, at the feed in force: no Feed is written. They end over the hole at
 /// return_level, which may lie below the retract plane; not written (G99): at the retract plane.
 ///
-/// Roles of all kinds: target_u, target_v (not written: where the tool stands), retract_plane and bottom (needed; the
-/// first not below the second), return_level, rise_first. A dwell role that is written gives a Dwell, also of 0 s.
-/// Sources: LinuxCNC 2.9, G code chapter, and what its stand-alone interpreter prints. Fanuc 15i/150i-MA operator's
-/// manual (shift of G76), Rockwell 9/Series mill manual, milling fixed cycles (G87 of the Fanuc kind), Haas VF manual
-/// (G77); the other sequences of Fanuc and Haas are from memory of their operator's manuals, not found again in the
-/// sources at hand.
+/// Roles of all kinds: target_u, target_v (neither is written: where the tool stands, without a move), retract_plane
+/// and bottom (needed; the first not below the second), return_level, rise_first. A dwell role that is written gives a
+/// Dwell, also of 0 s. Sources: LinuxCNC 2.9, G code chapter, and what its stand-alone interpreter prints. Fanuc
+/// 15i/150i-MA operator's manual (shift of G76), Rockwell 9/Series mill manual, milling fixed cycles (G87 of the Fanuc
+/// kind), Haas VF manual (G77); the other sequences of Fanuc and Haas are from memory of their operator's manuals, not
+/// found again in the sources at hand.
 
 #include "cycles/course.hpp"
 
@@ -22,6 +22,7 @@ namespace obrys::cycles {
 
 struct Hole {
     geom::Vec2 target;
+    bool called_here = false;                 ///< the tool stands over it
     double retract = 0, bottom = 0, end = 0;  ///< w
     bool rise_first = false, risen = false;
 };
@@ -44,12 +45,20 @@ struct Turning {
     double speed = 0;
     int direction = 0;  ///< +1 M3, -1 M4
 };
-/// spindle_direction (+1, -1), else the direction in which it turns already; a standing spindle is then a complaint.
+/// spindle_speed, else the one in force. spindle_direction (+1, -1), else the direction in which it turns already; a
+/// standing spindle is then a complaint.
 [[nodiscard]] Turning read_turning(Course& course, const Situation& situation);
 void stop_spindle(Course& course, const Turning& turning);
 void start_spindle(Course& course, const Turning& turning);
+/// Before the tool goes in: where starts_spindle asks for it, and the spindle does not turn so.
+void begin_turning(Course& course, const Demand& demand, const Situation& situation, const Turning& turning);
+/// As spindle_after says; not written: as before.
+void end_turning(Course& course, const Demand& demand, const Turning& turning);
+/// What a role says in mm/min from here on; nothing where it is not written.
+void feed_of(Course& course, const Demand& demand, cl::CycleRole role);
 
 void canned_tap(Course& course, const Demand& demand, const Situation& situation);
+void canned_deep(Course& course, const Demand& demand, const Situation& situation);
 void canned_bore(Course& course, const Demand& demand, const Situation& situation);
 
 }  // namespace obrys::cycles

@@ -1,9 +1,11 @@
 /// Boring by canned cycles (G76, G85 … G89). Sources: cycles/hole/canned.hpp.
 ///
-///   canned_bore_feed    (G85, G89) dwell_bottom; feed_out. LinuxCNC: G85 feed_out 0, G89 feed_out 1.
-///   canned_bore_stop    (G86) dwell_bottom; spindle stop, rapid out, spindle start.
-///   canned_bore_orient  (G76) dwell_bottom; spindle stop, M19, shift_u and shift_v at rapid, rapid out, back over the
-///                       hole, spindle start.
+///   canned_bore_feed    (G85, G89) dwell_bottom; feed_out. LinuxCNC: G85 feed_out 0, G89 feed_out 1. feed_plunge and
+///                       feed_retract: in and out at other feeds than the one in force (SINUMERIK).
+///   canned_bore_stop    (G86) dwell_bottom; spindle stop, with stops_program the program's, rapid out, spindle start.
+///   canned_bore_orient  (G76) dwell_bottom; spindle stop, M19, shift_u, shift_v and shift_w at rapid, rapid out, back
+///                       over the hole, spindle start.
+/// Both: starts_spindle 1 turns the spindle on before the tool goes in; spindle_after: how it turns behind the cycle.
 ///   canned_back_bore    (G87) shift_u, shift_v; bottom: where the tool comes on the axis again below the material;
 ///                       counterbore_top; retract_plane only where the tool stops there first (LinuxCNC; Fanuc goes in
 ///                       from where it is); dwell: at the top of the counterbore; feed_out 1: back down at feed before
@@ -26,10 +28,14 @@ void bore_feed(Course& c, const Demand& demand, const Situation& s) {
     const Hole h = read_hole(c, s);
     c.maybe_at_least(Role::dwell_bottom, 0, 0);
     const bool whole_way = c.maybe(Role::feed_out, 0) != 0;
+    for (const Role role : {Role::feed_plunge, Role::feed_retract})
+        if (demand.find(role)) c.positive(role);
     if (!c.ready()) return;
     approach(c, h);
+    feed_of(c, demand, Role::feed_plunge);
     feed_w(c, h.bottom);
     dwell_if(c, demand, Role::dwell_bottom);
+    feed_of(c, demand, Role::feed_retract);
     feed_out(c, h, whole_way);
 }
 
@@ -39,18 +45,20 @@ void bore_stop(Course& c, const Demand& demand, const Situation& s) {
     c.maybe_at_least(Role::dwell_bottom, 0, 0);
     if (!c.ready()) return;
     approach(c, h);
+    begin_turning(c, demand, s, t);
     feed_w(c, h.bottom);
     dwell_if(c, demand, Role::dwell_bottom);
     stop_spindle(c, t);
+    if (demand.get(Role::stops_program, 0) == 1) c.add(cl::Stop{cl::StopKind::program});
     rapid_to_w(c, h.end);
-    start_spindle(c, t);
+    end_turning(c, demand, t);
 }
 
 geom::Vec2 read_shift(Course& c) { return {c.need(Role::shift_u), c.need(Role::shift_v)}; }
 
-/// The tool stands in a known direction: the shift goes by it.
-void orient(Course& c, const Turning& t) {
-    c.add(cl::Spindle{.speed = t.speed, .direction = 0, .held = NAN});  // the machine knows the angle
+/// The tool stands in a known direction: the shift goes by it. NaN: the machine knows the angle.
+void orient(Course& c, const Turning& t, double angle = NAN) {
+    c.add(cl::Spindle{.speed = t.speed, .direction = 0, .held = angle});
 }
 
 void in_plane(Course& c, geom::Vec2 to) { c.straight({to.x, to.y, c.at().z}, true); }
@@ -60,15 +68,19 @@ void bore_orient(Course& c, const Demand& demand, const Situation& s) {
     const Turning t = read_turning(c, s);
     const geom::Vec2 shift = read_shift(c);
     c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    const double lift = c.maybe(Role::shift_w, 0);
+    const auto angle = demand.find(Role::spindle_angle);
     if (!c.ready()) return;
     approach(c, h);
+    begin_turning(c, demand, s, t);
     feed_w(c, h.bottom);
     dwell_if(c, demand, Role::dwell_bottom);
-    orient(c, t);
-    in_plane(c, h.target + shift);
+    orient(c, t, angle.value_or(NAN));
+    const geom::Vec2 beside = h.target + shift;
+    c.straight({beside.x, beside.y, h.bottom + lift}, true);
     rapid_to_w(c, h.end);
     in_plane(c, h.target);
-    start_spindle(c, t);
+    end_turning(c, demand, t);
 }
 
 struct BackBore {

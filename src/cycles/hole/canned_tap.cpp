@@ -8,7 +8,8 @@
 ///   canned_tap_floating  Without starts_spindle the spindle must turn in that direction already. At the bottom:
 ///                        dwell_bottom, spindle stop and reversal, dwell; feed out (feed_out); at the end of the feed
 ///                        dwell_top, spindle stop and reversal, rest of the way. LinuxCNC: feed_out 1, dwell 0 or P.
-///                        rpm_factor for the way out: spindle and feed (Acramatic J).
+///                        rpm_factor for the way out: spindle and feed (Acramatic J). pitch: the feed follows from it
+///                        and the speed.
 ///   canned_tap_rigid     pitch in mm (not written: feed by speed); dwell_bottom; rpm_factor for the way out. With
 ///                        infeed in steps, from the surface, where it is not 0: chip_break_distance above 0 that
 ///                        far back after each, or chip_break_turns of the thread, else out to the retract plane and
@@ -58,9 +59,13 @@ void floating(Course& c, const Demand& demand, const Situation& s) {
     const int axes = c.whole(Role::turned_axes, 0, 0, 2, "the order of the axes");
     if (!c.ready()) return;
     if (axes != 0) c.remark(Role::turned_axes, "the control feeds along the wrong axes when it taps in this plane");
+    const bool pitched = demand.find(Role::pitch).has_value();
+    const double pitch = pitched ? c.positive(Role::pitch) : 0;
+    if (!c.ready()) return;
     const auto feed_to = [&](double w) { c.straight(turned({h.target.x, h.target.y, w}, axes), false); };
     approach(c, h);
     if (s.spindle_direction != in.direction) start_spindle(c, in);
+    if (pitched) c.add(cl::Feed{pitch * in.speed, cl::FeedMode::per_minute});
     feed_to(h.bottom);
     dwell_if(c, demand, Role::dwell_bottom);
     stop_spindle(c, in);
@@ -71,7 +76,7 @@ void floating(Course& c, const Demand& demand, const Situation& s) {
     if (faster) c.add(cl::Feed{s.feed, cl::FeedMode::per_minute});
     dwell_if(c, demand, Role::dwell_top);
     stop_spindle(c, in);
-    start_spindle(c, in);
+    end_turning(c, demand, in);
     if (!whole_way) rapid_to_w(c, h.end);
 }
 
@@ -142,7 +147,7 @@ void rigid(Course& c, const Demand& demand, const Situation& s) {
     start_spindle(c, r.out);
     c.thread_w(r.hole.retract, r.pitch, true);
     stop_spindle(c, r.in);
-    if (r.restarts) start_spindle(c, r.in);
+    if (r.restarts || demand.find(Role::spindle_after)) end_turning(c, demand, r.in);
     rapid_to_w(c, r.hole.end);
 }
 

@@ -170,7 +170,8 @@ TEST(canned, PathIsCarriedAlong) {
         for (cl::CycleValue& v : moved) {
             if (v.role == Role::target_u) v.value += 3;
             if (v.role == Role::target_v) v.value -= 8;
-            for (const Role height : {Role::retract_plane, Role::bottom, Role::return_level, Role::counterbore_top})
+            for (const Role height :
+                 {Role::retract_plane, Role::bottom, Role::return_level, Role::counterbore_top, Role::surface})
                 if (v.role == height) v.value += 37;
         }
         const Expansion one = expand_hole({s.kind, s.values}, a), two = expand_hole({s.kind, moved}, b);

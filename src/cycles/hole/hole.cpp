@@ -32,6 +32,7 @@ Family hole_family_of(Kind kind) {
         case Kind::canned_drill:
         case Kind::canned_chip_break:
         case Kind::canned_peck:
+        case Kind::canned_deep:
         case Kind::canned_tap_floating:
         case Kind::canned_tap_rigid:
         case Kind::canned_bore_feed:

@@ -166,6 +166,7 @@ constexpr program::Traits traits{
     .bad_block_stops = true,
     .missing_program_stops = true,
     .needs_feed = true,
+    .compensation_forbids_canned = true,
     .refuses_unready = true,
     .pitch_along = program::PitchAlong::move,
     .cancel_leaves_no_motion = true,

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string_view>
 
+#include "dialect/sinumerik/holes.hpp"
 #include "program/traits.hpp"
 #include "program/unit.hpp"
 
@@ -114,6 +115,7 @@ inline constexpr program::Traits traits{
     .counts_increments = true,  // MD10200 INT_INCR_PER_MM, where the machine file says it
     // 840D sl, Function Manual Feeds (V1) 08/2005, 2.1: F is deleted when G93, G94 or G95 changes; alarm 10860.
     .feed_in_other_unit = "the control deletes F with the change, and stops with alarm 10860",
+    .called_holes = called_holes,
     .alarms = {.late_definition = "14500"},
 };
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "dialect/sinumerik/holes.hpp"
 #include "dialect/sinumerik/tables.hpp"
 
 namespace obrys::dialect::sinumerik {
@@ -59,9 +60,10 @@ constexpr std::string_view tool_offset_changed_by_the_program = "tool offset cha
 constexpr std::string_view tool_orientation = "tool orientation";
 constexpr std::string_view tool_oriented_frame = "tool-oriented frame";
 
-constexpr Entry cycle(std::string_view n, ControlCycle c = ControlCycle::not_run) {
-    return {n, Use::control_cycle, static_cast<std::uint16_t>(c), 0, machining_cycle};
+constexpr Entry cycle(std::string_view n, ControlCycle c = ControlCycle::not_run, std::uint16_t form = 0) {
+    return {n, Use::control_cycle, static_cast<std::uint16_t>(c), form, machining_cycle};
 }
+constexpr Entry hole(std::string_view n) { return cycle(n, ControlCycle::hole, form_of(n)); }
 
 // clang-format off
 constexpr Entry words[]{
@@ -114,11 +116,11 @@ constexpr Entry words[]{
     cycle("CYCLE759"), cycle("CYCLE76"), cycle("CYCLE77"),
     cycle("CYCLE78"), cycle("CYCLE782"), cycle("CYCLE79"),
     cycle("CYCLE800", ControlCycle::swivel), cycle("CYCLE801"), cycle("CYCLE802"),
-    cycle("CYCLE805"), cycle("CYCLE806"), cycle("CYCLE81"),
-    cycle("CYCLE82"), cycle("CYCLE83"), cycle("CYCLE830"),
-    cycle("CYCLE832", ControlCycle::path_tolerance), cycle("CYCLE84"), cycle("CYCLE840"),
-    cycle("CYCLE85"), cycle("CYCLE86"), cycle("CYCLE87"),
-    cycle("CYCLE88"), cycle("CYCLE89"), cycle("CYCLE899"),
+    cycle("CYCLE805"), cycle("CYCLE806"), hole("CYCLE81"),
+    hole("CYCLE82"), hole("CYCLE83"), cycle("CYCLE830"),
+    cycle("CYCLE832", ControlCycle::path_tolerance), hole("CYCLE84"), hole("CYCLE840"),
+    hole("CYCLE85"), hole("CYCLE86"), hole("CYCLE87"),
+    hole("CYCLE88"), hole("CYCLE89"), cycle("CYCLE899"),
     cycle("CYCLE90"), cycle("CYCLE92"), cycle("CYCLE93"),
     cycle("CYCLE930"), cycle("CYCLE94"), cycle("CYCLE940"),
     cycle("CYCLE95"), cycle("CYCLE950"), cycle("CYCLE951"),
@@ -169,7 +171,7 @@ constexpr Entry words[]{
     st("GOTOB", Keyword::gotob), st("GOTOC", Keyword::gotoc), st("GOTOF", Keyword::gotof),
     st("GOTOS", Keyword::gotos), no("GP", machine_function), off("GROUP_ADDEND"),
     off("GROUP_BEGIN"), off("GROUP_END"), no("GWPS", machine_function), off("GWPSOF"),
-    no("GWPSON", oscillation_grinding_function), cycle("HOLES1"), cycle("HOLES2"),
+    no("GWPSON", oscillation_grinding_function), cycle("HOLES1", ControlCycle::hole_row), cycle("HOLES2", ControlCycle::hole_circle),
     block("ICYCOF", synchronized_action), block("ICYCON", synchronized_action), block("ID", synchronized_action),
     block("IDS", synchronized_action), st("IF", Keyword::if_), no("INIT", channel_coordination),
     no("INTERSEC", contour_preparation), no("INVCCW", spline_polynomial_interpolation),

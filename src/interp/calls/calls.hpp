@@ -51,6 +51,23 @@ void return_to_block(Calling&, const program::Jump&);
 /// A cycle of the control itself that no program of the user stands in for (control_cycle.cpp).
 void control_cycle(Calling&, const program::Call&);
 
+/// A call that is not run, and why.
+void say_not_run(Saying&, const program::Call&, const std::string& why);
+
+// --- called_hole.cpp
+/// The arguments of a call as numbers; nothing, and it is said, where the call is one that is not run.
+[[nodiscard]] std::optional<HoleCall> read_hole_call(Calling&, const program::Call&);
+// --- called_hole_demand.cpp
+/// What it says by meaning; nothing after an alarm.
+[[nodiscard]] std::optional<cycles::Demand> demand_of(Reckoning&, const HoleCall&);
+// --- called_hole.cpp
+/// The cycle where the tool stands.
+void call_hole(Calling&, const HoleCall&, const WayOfCall&);
+
+// --- hole_pattern.cpp
+/// HOLES1, HOLES2: the modal cycle at every place of a row or a circle.
+void call_hole_pattern(Calling&, const program::Call&);
+
 // --- modal_call.cpp
 void set_modal_call(Calling&, const Unit&, const program::Call&);
 void run_modal_call(Calling&);

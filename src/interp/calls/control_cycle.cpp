@@ -22,11 +22,6 @@ using program::ControlCycle;
 
 namespace {
 
-void not_run(Saying& run, const Call& call, const std::string& why) {
-    const program::Problem& p = run.unit().problems[call.problem];
-    unchecked(run, codes::unsupported, p.where, p.text + " is not run: " + why);
-}
-
 /// An argument as a number; 0 where it is left out, nothing where it is none or not known.
 std::optional<double> plain(Reckoning& run, const Call& call, std::size_t i) {
     if (i >= call.arguments.size() || call.arguments[i] == program::no_expr) return 0;
@@ -154,13 +149,14 @@ geom::Vec3 vector_at(const SwivelNumbers& n, std::size_t first, double unit) {
 void swivel_plane(Calling& run, const Call& call) {
     const auto numbers = swivel_numbers(run, call);
     if (run.stopped) return;
-    if (!numbers) return not_run(run, call, "it tilts the working plane by a value that is not known");
+    if (!numbers) return say_not_run(run, call, "it tilts the working plane by a value that is not known");
     const SwivelNumbers& n = *numbers;
     const bool turns = n[swivel_angles] != 0 || n[swivel_angles + 1] != 0 || n[swivel_angles + 2] != 0;
-    if (const std::string_view why = why_no_swivel(n, turns); !why.empty()) return not_run(run, call, std::string(why));
+    if (const std::string_view why = why_no_swivel(n, turns); !why.empty())
+        return say_not_run(run, call, std::string(why));
     const auto turned = turned_axis_by_axis(base::whole<int>(n[swivel_mode], 0, 63).value_or(0),
                                             std::span(n).subspan(swivel_angles, 3));
-    if (!turned) return not_run(run, call, "its _MODE names no axis for an angle");
+    if (!turned) return say_not_run(run, call, "its _MODE names no axis for an angle");
     const double unit = length_unit(run.modal);
     geom::Frame plane = geom::Frame::shift(vector_at(n, swivel_before, unit)) * *turned *
                         geom::Frame::shift(vector_at(n, swivel_behind, unit));
@@ -189,12 +185,33 @@ void swivel_plane(Calling& run, const Call& call) {
 
 }  // namespace
 
+void say_not_run(Saying& run, const Call& call, const std::string& why) {
+    const program::Problem& p = run.unit().problems[call.problem];
+    unchecked(run, codes::unsupported, p.where, p.text + " is not run: " + why);
+}
+
+namespace {
+
+void hole(Calling& run, const Call& call) {
+    auto read = read_hole_call(run, call);
+    if (!read || run.stopped) return;
+    if (call.kind == program::CallKind::modal)
+        run.modal_call.hole = std::move(*read);
+    else
+        call_hole(run, *read, {});
+}
+
+}  // namespace
+
 void control_cycle(Calling& run, const Call& call) {
     if (call.kind == program::CallKind::modal) run.modal_call = {};
     switch (call.control_cycle) {
+        case ControlCycle::hole: return hole(run, call);
+        case ControlCycle::hole_row:
+        case ControlCycle::hole_circle: return call_hole_pattern(run, call);
         case ControlCycle::path_tolerance: return path_tolerance(run, call);
         case ControlCycle::swivel: return swivel_plane(run, call);
-        default: return not_run(run, call, run.unit().problems[call.problem].reason);
+        default: return say_not_run(run, call, run.unit().problems[call.problem].reason);
     }
 }
 

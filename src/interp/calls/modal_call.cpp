@@ -25,7 +25,7 @@ void set_modal_call(Calling& run, const Unit& unit, const Call& call) {
         unchecked(run, codes::unsupported, call.where,
                   "a second modal call while one is in force is not run as the control nests them: it replaces the "
                   "first");
-    ModalCall modal{&unit, {}, {}, call.where, {}, 0};
+    ModalCall modal{&unit, {}, {}, call.where, {}, 0, {}};
     for (std::size_t i = 0; i < unit.parameters.size(); ++i) {
         const ExprId argument = i < call.arguments.size() ? call.arguments[i] : program::no_expr;
         modal.given.push_back(argument != program::no_expr);
@@ -40,6 +40,8 @@ void set_modal_call(Calling& run, const Unit& unit, const Call& call) {
 }
 
 void run_modal_call(Calling& run) {
+    if (run.modal_call.hole.cycle != nullptr)
+        return call_hole(run, HoleCall(run.modal_call.hole), {cl::CycleCall::modal});
     const ModalCall& modal = run.modal_call;
     if (modal.unit == nullptr || run.stopped) return;
     for (const Activation& a : run.calls)

@@ -25,7 +25,7 @@ void end_by_budget(Saying& run, const base::Span& where, std::string text, std::
 void watch(Calling& run, const Loop& loop) {
     const WatchedLoop& w = run.watched;
     if (w.depth == run.calls.size() && w.first == loop.first && w.last == loop.last) return;  // it is
-    const bool calls_between = run.modal_call.unit != nullptr;  // a program that may change anything
+    const bool calls_between = run.modal_call.is_on();  // a program that may change anything
     if (!calls_between && why_endless(run.unit(), loop, run.env.names))
         run.watched = {run.calls.size(), loop.first, loop.last, 0};
 }

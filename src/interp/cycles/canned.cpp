@@ -176,23 +176,6 @@ cycles::Demand told(cycles::Demand d) {
     return d;
 }
 
-/// The steps of one hole; the cycle begins over it.
-void emit_hole(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, cycles::Expansion& e,
-               const WayOfCall& calling) {
-    // A rigid tap that turns the spindle on leaves it standing: another speed alone does not turn it.
-    const bool stops = c.kind == cl::CycleKind::canned_tap_rigid && demand.get(CycleRole::starts_spindle, 0) == 1;
-    if (e.steps.empty()) begin_bracket(run, told(demand), c.name, calling);  // not simulated
-    for (std::size_t i = 0; i < e.steps.size(); ++i) {
-        if (run.stopped) return;
-        cl::Step& step = e.steps[i];
-        if (i == e.leads) begin_bracket(run, told(demand), c.name, calling);
-        if (const auto* s = std::get_if<cl::Spindle>(&step); s != nullptr && stops)
-            run.spindle.direction = s->direction;
-        emit_step(run, std::move(step));
-    }
-    if (!run.stopped) end_bracket(run);
-}
-
 void exact_path(Telling& run) {
     if (run.modal.path_mode != Modal::path_exact) hear(run, heard::Joining{});
 }
@@ -242,7 +225,7 @@ void run_holes(Moving& run, const program::CannedCycle& c, const PlaneAxes& a) {
         if (i == 0 && !begin_series(run, c, demand, initial)) return;
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
         if (!report_expansion(run, c.name, e)) return;
-        emit_hole(run, c, demand, e, {cl::CycleCall::modal, pass, passes});
+        emit_hole(run, c.name, told(demand), e, {cl::CycleCall::modal, pass, passes});
         if (!e.simulated) return;                     // nor is any hole behind it: where the tool stands is not known
         if (c.turns_axes && run.modal.plane != 17) {  // the control takes itself to be where it should be
             const geom::Vec3 there = into_plane(at, a);
@@ -269,7 +252,7 @@ bool refuses_heights(Moving& run, const program::CannedCycle& c, const PlaneAxes
 bool canned_motion(Cycling& run) {
     const PlaneAxes a = plane_axes(run.modal.plane);
     const program::CannedCycle& c = cycle_of(run);
-    if (run.modal.compensation != Modal::compensation_off && run.traits->needs_feed) {
+    if (run.modal.compensation != Modal::compensation_off && run.traits->compensation_forbids_canned) {
         alarm(run, codes::compensation, run.here(),
               "Cannot use canned cycles with cutter compensation on: " + std::string(c.name));
         return false;

@@ -3,6 +3,7 @@
 
 #include "cycles/cycle.hpp"
 #include "interp/calls/calls.hpp"
+#include "interp/moves/cycle_steps.hpp"
 
 namespace obrys::interp {
 
@@ -55,22 +56,9 @@ void define_turning_cycle(Cycling&, const ActiveCycle&);
 /// The contour of a finishing cycle has been run: back to where the cycle began.
 void end_finishing(Moving&, const ActiveSection&);
 
-// --- cycle_steps.cpp
+// --- cycle_reports.cpp
 void report(Saying& run, const ActiveCycle& c, const cycles::Expansion& e);
 void report(Saying&, const ActiveCycle&, const std::vector<cycles::Complaint>&);
-/// What holds when a cycle is called.
-[[nodiscard]] cycles::Situation situation_of(const Reckoning&);
-/// Says what is wrong with a cycle's call; false where that ends the run.
-[[nodiscard]] bool report_expansion(Reckoning&, std::string_view name, const cycles::Expansion&);
-/// A step of a cycle, from the working plane's coordinates into the stream.
-void emit_step(Telling&, cl::Step step);
-/// As above, but through radius compensation where it is on: cycles whose moves are the contour itself.
-void path_step(Moving&, cl::Step step);
-void emit_steps(Telling&, std::vector<cl::Step>&);
-/// (u, v, w) of the working plane, as cycles have it.
-[[nodiscard]] geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a);
-[[nodiscard]] geom::Vec3 out_of_plane(const geom::Vec3& p, const PlaneAxes& a);
-
 /// From here on a feed of pre-positioning or retraction is rapid traverse: FMAX, and Q208=99999 of many programs.
 inline constexpr double fastest_feed = 99999;
 

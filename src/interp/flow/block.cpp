@@ -80,7 +80,7 @@ bool run_block(Cycling& run, const program::Statement& s, std::uint32_t index) {
     }
     report_unused(run);
     after_motion(run);
-    if (run.modal_call.unit != nullptr && (moved || calls_without_motion(run))) run_modal_call(run);
+    if (run.modal_call.is_on() && (moved || calls_without_motion(run))) run_modal_call(run);
     return moved;
 }
 

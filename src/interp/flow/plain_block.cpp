@@ -81,7 +81,7 @@ bool nothing_else_is_due(const Cycling& run) {
     const BlockWords& b = run.block;
     const bool is_usual = b.special == Modal::linear && b.twice == 0 && (b.present & ~b.used) == 0;
     return is_usual && run.modal.motion <= Modal::arc_ccw && run.modal.feed_mode != cl::FeedMode::inverse_time &&
-           !run.curve.open && !run.cycle.modal && run.modal_call.unit == nullptr && run.underway.empty() &&
+           !run.curve.open && !run.cycle.modal && !run.modal_call.is_on() && run.underway.empty() &&
            !run.spindle.mode_changed && run.surface.kind == SurfaceMode::Kind::none;
 }
 

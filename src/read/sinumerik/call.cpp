@@ -60,6 +60,7 @@ void add_cycle_call(State& s, Call call, const dialect::sinumerik::Entry& entry,
     problem.text = base::as_utf8({from, static_cast<std::size_t>(s.cursor.p - from)});
     problem.reason = entry.reason;
     call.control_cycle = static_cast<program::ControlCycle>(entry.value);
+    call.form = entry.number;
     call.problem = static_cast<std::uint32_t>(s.unit.problems.size());
     s.unit.problems.push_back(std::move(problem));
     add_call(s, std::move(call), from);

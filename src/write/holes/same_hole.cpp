@@ -23,11 +23,12 @@ struct Hole {
     double bottom = 0;  ///< where it ends
     double end = 0;     ///< where the tool stands behind it
     double infeed = 0;
-    double gap = 0;        ///< above the last infeed, where the next begins; the way back where chips are broken
-    double dwell = 0;      ///< at the bottom, s
-    double feed = 0;       ///< mm/min
-    double pitch = 0;      ///< of a thread
-    double direction = 0;  ///< of the spindle where a tap goes in: 1 clockwise, -1 counter-clockwise
+    double gap = 0;               ///< above the last infeed, where the next begins; the way back where chips are broken
+    double dwell = 0;             ///< at the bottom, s
+    double feed = 0;              ///< mm/min
+    double pitch = 0;             ///< of a thread
+    double direction = 0;         ///< of the spindle where a tap goes in: 1 clockwise, -1 counter-clockwise
+    std::optional<double> speed;  ///< of a tap, where the cycle says its own, 1/min
 };
 
 /// The values of a cycle, each asked for once: what nobody has asked for is what this file does not understand.
@@ -85,6 +86,8 @@ bool is_canned(CycleKind kind) { return kind >= CycleKind::canned_drill && kind 
 void take_tap(Hole& h, Asked& asked, const motion::State& state) {
     const bool per_minute = state.feed.mode == cl::FeedMode::per_minute && state.spindle.speed > 0;
     h.direction = asked.find(Role::spindle_direction).value_or(state.spindle.direction);
+    h.speed = asked.find(Role::spindle_speed);
+    asked.pass({Role::spindle_after});  // what turns it on again is written behind the cycle
     h.pitch = asked.find(Role::pitch).value_or(per_minute ? h.feed / state.spindle.speed : 0);
     asked.expect(h.direction != 0 && std::isfinite(h.pitch) && h.pitch > 0);
 }
@@ -220,6 +223,7 @@ HoleWay as_canned(const cl::Cycle& from, const Hole& h) {
     if (h.way == Way::tap_floating || h.way == Way::tap_rigid) values.push_back({Role::spindle_direction, h.direction});
     if (h.way == Way::tap_rigid) values.push_back({Role::pitch, h.pitch});
     if (h.way != Way::tap_rigid) out.feed = h.feed;
+    out.speed = h.speed;
     return out;
 }
 
@@ -235,14 +239,16 @@ double surface_of(const Hole& h) {
 /// far it goes back in pitches.
 HoleWay as_tap_chip_breaking(const cl::Cycle& from, const Hole& h) {
     const double surface = h.surface.value_or(h.top);
-    return with(from, CycleKind::tap_chip_breaking,
-                {{Role::clearance, h.top - surface},
-                 {Role::depth, h.bottom - surface},
-                 {Role::surface, surface},
-                 {Role::second_clearance, h.end - surface},
-                 {Role::pitch, h.direction * h.pitch},
-                 {Role::chip_break_depth, h.infeed},
-                 {Role::chip_break_distance, h.gap / h.pitch}});
+    HoleWay out = with(from, CycleKind::tap_chip_breaking,
+                       {{Role::clearance, h.top - surface},
+                        {Role::depth, h.bottom - surface},
+                        {Role::surface, surface},
+                        {Role::second_clearance, h.end - surface},
+                        {Role::pitch, h.direction * h.pitch},
+                        {Role::chip_break_depth, h.infeed},
+                        {Role::chip_break_distance, h.gap / h.pitch}});
+    out.speed = h.speed;
+    return out;
 }
 
 /// By a retract plane; how far it goes back is said in turns of the spindle.
@@ -265,7 +271,9 @@ std::vector<HoleWay> as_depths(const cl::Cycle& from, const Hole& h) {
                                               {Role::second_clearance, h.end - surface}};
     const auto cycle = [&](CycleKind kind, std::vector<cl::CycleValue> more) {
         more.insert(more.begin(), heights.begin(), heights.end());
-        return with(from, kind, std::move(more));
+        HoleWay out = with(from, kind, std::move(more));
+        out.speed = h.speed;
+        return out;
     };
     const cl::CycleValue feed{Role::feed_plunge, h.feed}, dwell{Role::dwell_bottom, h.dwell};
     switch (h.way) {

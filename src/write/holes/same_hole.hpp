@@ -14,7 +14,8 @@ namespace obrys::write {
 /// A way of saying a hole.
 struct HoleWay {
     cl::Cycle cycle;
-    std::optional<double> feed{};  ///< mm/min, where the cycle takes the one in force; nothing: that it is in force
+    std::optional<double> speed{};  ///< 1/min, with which a tap turns, where the cycle takes the one in force
+    std::optional<double> feed{};   ///< mm/min, where the cycle takes the one in force; nothing: that it is in force
 };
 
 /// Others than `cycle` itself; none where it is no hole of a plain kind, or something of it is not known. `state`:

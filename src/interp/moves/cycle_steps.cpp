@@ -3,15 +3,12 @@
 #include <algorithm>
 
 #include "base/codes.hpp"
-#include "cycles/names.hpp"
-#include "interp/complaints.hpp"
-#include "interp/cycles/cycles.hpp"
+#include "interp/moves/cycle_steps.hpp"
 #include "interp/stream/path_stage.hpp"
 
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using program::CycleSetting;
 
 geom::Vec3 into_plane(const geom::Vec3& p, const PlaneAxes& a) {
     return {coordinate(p, a.u), coordinate(p, a.v), coordinate(p, a.w)};
@@ -39,48 +36,6 @@ cycles::Situation situation_of(const Reckoning& run) {
     s.spindle_direction = run.spindle.direction;
     if (run.feed_valid && run.modal.feed_mode == cl::FeedMode::per_minute) s.feed = run.feed;
     return s;
-}
-
-void report(Saying& run, const ActiveCycle& c, const std::vector<cycles::Complaint>& complaints) {
-    for (const cycles::Complaint& k : complaints) {
-        base::Span where = run.here();
-        for (const CycleSetting& s : c.definition->settings)
-            if (k.role && s.role == *k.role) where = s.where;
-        base::Diagnostic d{k.fatal ? base::Severity::error : base::Severity::warning,
-                           k.fatal ? codes::value_range : codes::assumption,
-                           where,
-                           c.definition->name + ": " + k.text,
-                           k.remedy,
-                           run.stacks->sites(run.top().stack),
-                           {}};
-        if (!(where == run.here())) d.related.push_back({run.here(), "called here"});
-        raise(run, std::move(d));
-    }
-}
-
-namespace {
-
-/// The cause is something that is not known; the complaints that name it.
-bool not_run_for_unknown(Saying& run, const ActiveCycle& c, const cycles::Expansion& e) {
-    if (e.simulated || !e.assumption.empty() || e.complaints.empty()) return false;
-    const bool all = std::all_of(e.complaints.begin(), e.complaints.end(), [](const cycles::Complaint& k) {
-        return !k.fatal && !k.role && k.text.find("not known") != std::string::npos;
-    });
-    if (!all) return false;
-    for (const cycles::Complaint& k : e.complaints)
-        unchecked(run, codes::unknown_value, run.here(), c.definition->name + " is not run: " + k.text,
-                  k.remedy.empty() ? "give it in the job; what a tool has, in its [[tool]]" : k.remedy);
-    return true;
-}
-
-}  // namespace
-
-void report(Saying& run, const ActiveCycle& c, const cycles::Expansion& e) {
-    if (not_run_for_unknown(run, c, e)) return;
-    report(run, c, e.complaints);
-    if (!e.assumption.empty()) assume(run, run.here(), c.definition->name + ": " + std::string(e.assumption));
-    if (!e.simulated)
-        unchecked(run, codes::unsupported, run.here(), c.definition->name + " is not run: its path is not known here");
 }
 
 namespace {
@@ -143,6 +98,23 @@ void path_step(Moving& run, cl::Step step) {
 void emit_steps(Telling& run, std::vector<cl::Step>& steps) {
     for (cl::Step& step : steps)
         if (!run.stopped) emit_step(run, std::move(step));
+}
+
+void emit_hole(Telling& run, std::string_view name, const cycles::Demand& told, cycles::Expansion& e,
+               const WayOfCall& calling) {
+    // A rigid tap that turns the spindle on leaves it standing: another speed alone does not turn it.
+    const bool stops = told.kind == cl::CycleKind::canned_tap_rigid && told.get(cl::CycleRole::starts_spindle, 0) == 1;
+    const bool leaves = told.find(cl::CycleRole::spindle_after).has_value();
+    if (e.steps.empty()) begin_bracket(run, told, name, calling);  // not simulated
+    for (std::size_t i = 0; i < e.steps.size(); ++i) {
+        if (run.stopped) return;
+        cl::Step& step = e.steps[i];
+        if (i == e.leads) begin_bracket(run, told, name, calling);
+        if (const auto* s = std::get_if<cl::Spindle>(&step); s != nullptr && (stops || leaves))
+            run.spindle.direction = s->direction;
+        emit_step(run, std::move(step));
+    }
+    if (!run.stopped) end_bracket(run);
 }
 
 bool report_expansion(Reckoning& run, std::string_view name, const cycles::Expansion& e) {
