@@ -202,10 +202,8 @@ private:
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
     [[nodiscard]] Command home_command(const cl::MachinePlace& place) const;
-    [[nodiscard]] bool is_at_home(const cl::MachinePlace& place) const;
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
     void note_assumed_home(const cl::MachinePlace& place, bool by_home);
-    [[nodiscard]] std::string why_not_placed(const cl::MachinePlace& place, Command command) const;
     void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;

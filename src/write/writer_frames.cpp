@@ -163,15 +163,32 @@ Command Writer::home_command(const cl::MachinePlace& place) const {
     return is_retract ? Command::machine_retract : Command::machine_home;
 }
 
+namespace {
+
 constexpr double same_place = 1e-6;  ///< mm
 
 /// By coordinates to where the reference point lies.
-bool Writer::is_at_home(const cl::MachinePlace& place) const {
+bool is_at_home(const cl::MachinePlace& place, const Homes& homes) {
     const std::array to{place.to.x, place.to.y, place.to.z};
     for (std::size_t k = 0; k < to.size(); ++k)
-        if (place.axes[k] && !(std::abs(to[k] - homes_.at[k]) <= same_place)) return false;
+        if (place.axes[k] && !(std::abs(to[k] - homes.at[k]) <= same_place)) return false;
     return place.kind == cl::PlaceKind::coordinates && !place.tip;
 }
+
+/// What a post lacks that has no words for the place.
+std::string why_not_placed(const cl::MachinePlace& place, Command command, const Post& post) {
+    if (place.tip) return " that its tip goes to: the post has no " + std::string(name_of(command));
+    const bool is_home = place.kind == cl::PlaceKind::home;
+    if (is_home && !is_place_known(place) && post.has(Command::machine_coordinates))
+        return place.number > 2   ? ", a further reference point,"
+               : place.number > 1 ? ", a reference point of which no second_home is given in the machine file,"
+                                  : ", a reference point of which no home is given in the machine file,";
+    if (is_home && place.number == 1 && post.has(Command::machine_retract))
+        return ", a reference point beside that of Z: the post has no " + std::string(name_of(Command::machine_home));
+    return "";
+}
+
+}  // namespace
 
 /// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
 Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
@@ -179,7 +196,7 @@ Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
     const Command home = home_command(place);
     if (place.kind == cl::PlaceKind::home && (post_.has(home) || !is_place_known(place)))
         return home;  // else by its coordinates
-    if (rapid && !post_.has(Command::machine_coordinates) && post_.has(home) && is_at_home(place)) return home;
+    if (rapid && !post_.has(Command::machine_coordinates) && post_.has(home) && is_at_home(place, homes_)) return home;
     const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
     const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
     return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
@@ -200,19 +217,6 @@ void Writer::note_assumed_home(const cl::MachinePlace& place, bool by_home) {
     note_at(std::move(assumed));
 }
 
-/// What a post lacks that has no words for the place.
-std::string Writer::why_not_placed(const cl::MachinePlace& place, Command command) const {
-    if (place.tip) return " that its tip goes to: the post has no " + std::string(name_of(command));
-    const bool is_home = place.kind == cl::PlaceKind::home;
-    if (is_home && !is_place_known(place) && post_.has(Command::machine_coordinates))
-        return place.number > 2   ? ", a further reference point,"
-               : place.number > 1 ? ", a reference point of which no second_home is given in the machine file,"
-                                  : ", a reference point of which no home is given in the machine file,";
-    if (is_home && place.number == 1 && post_.has(Command::machine_retract))
-        return ", a reference point beside that of Z: the post has no " + std::string(name_of(Command::machine_home));
-    return "";
-}
-
 /// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
 bool Writer::write_place(const cl::Linear& line) {
     if (!place_) return false;
@@ -225,7 +229,7 @@ bool Writer::write_place(const cl::Linear& line) {
     if (!post_.has(command) || (!said && !is_place_known(place))) {
         const geom::Vec3 p = line.to;
         note(geom::is_finite(p) ? Fate::expanded : Fate::lost,
-             "a move to a place of the machine" + why_not_placed(place, command));
+             "a move to a place of the machine" + why_not_placed(place, command, post_));
         return !geom::is_finite(p);
     }
     end_cycles();
