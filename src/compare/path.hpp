@@ -69,6 +69,13 @@ public:
         return {&events, &cycles, &contours, &parts, &preparations};
     }
 
+    /// How many items of each aspect there are.
+    [[nodiscard]] std::array<std::size_t, 5> all_items() const {
+        std::array<std::size_t, 5> out{};
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = items()[i]->size();
+        return out;
+    }
+
     Kept<Move> moves;                  ///< the last may go on while records come
     bool compensates_length = false;   ///< anywhere
     bool has_several_tools = false;    ///< that move

@@ -187,8 +187,7 @@ std::size_t records_to(std::size_t move, const cl::Recording& stream, double sam
     std::size_t records = 0;
     while (path.moves.size() <= move && playback.step([&](const cl::Record& record) { path.take(record); })) {
         ++records;
-        path.forget(path.moves.size() - std::min<std::size_t>(path.moves.size(), 1), path.events.size(),
-                    path.cycles.size(), path.contours.size());
+        path.forget(path.moves.size() - std::min<std::size_t>(path.moves.size(), 1), path.all_items());
     }
     return records;
 }
