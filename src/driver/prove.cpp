@@ -22,8 +22,10 @@ namespace {
 void complain_of(Session& s, const compare::Result& result, const Session& run) {
     for (const compare::Difference& difference : result.first) {
         const bool done = difference.is_done;
-        // A cycle that stands in the place of another, as the ledger says: it would be told in two controls' words.
-        if (difference.aspect == compare::Aspect::cycles && difference.in_a && difference.in_b) continue;
+        // A cycle or a call in the place of another, as the ledger says: it would be told in two controls' words.
+        const bool by_ledger =
+            difference.aspect == compare::Aspect::cycles || difference.aspect == compare::Aspect::parts;
+        if (by_ledger && difference.in_a && difference.in_b) continue;
         base::Diagnostic d;
         d.severity = done ? base::Severity::error : base::Severity::note;
         d.code = done ? codes::runs_otherwise : codes::written_by_moves;
