@@ -229,14 +229,30 @@ void Maker::events() {
     add("a called part", {cl::PartBegin{cl::PartKind::call, "SUB", 1, 1}, next(), cl::PartEnd{}});
 }
 
+/// Whether the form prints a number that follows from this height of a hole.
+bool follows_from(const CycleForm& form, CycleRole role) {
+    const auto any = [&](std::initializer_list<Value> values) {
+        return std::any_of(values.begin(), values.end(),
+                           [&](Value v) { return says(form.define, index_of(v)) || says(form.call, index_of(v)); });
+    };
+    switch (role) {
+        case CycleRole::surface: return any({Value::hole_top, Value::hole_gap, Value::hole_way});
+        case CycleRole::retract_plane: return any({Value::hole_top, Value::hole_gap, Value::hole_end});
+        case CycleRole::return_level: return any({Value::hole_end});
+        case CycleRole::bottom: return any({Value::hole_way});
+        default: return false;
+    }
+}
+
 /// The roles that a form prints or asks for.
 std::vector<cl::CycleValue> values_of(const CycleForm& form) {
     std::vector<cl::CycleValue> out;
     for (ValueIndex v = first_role; v < value_count; ++v) {
-        bool there = says(form.define, v) || says(form.call, v);
+        bool there =
+            says(form.define, v) || says(form.call, v) || follows_from(form, static_cast<CycleRole>(v - first_role));
         std::optional<double> number;
         for (const Condition& c : form.when)
-            if (c.value == v) there = c.present, number = c.equals;
+            if (c.value == v && (c.present || !c.equals)) there = c.present, number = c.equals;
         if (there) out.push_back({static_cast<CycleRole>(v - first_role), number.value_or(sample_value(v))});
     }
     return out;

@@ -12,7 +12,7 @@ constexpr std::array<std::string_view, static_cast<std::size_t>(Value::count)> n
     "pitch-x", "pitch-y", "pitch-z", "pitch-change", "start", "size", "own-feed", "length", "tool-radius",
     "handle-i", "handle-j", "handle-k", "handle-p", "handle-q", "handle-r",
     "first-x", "first-y", "first-z", "second-x", "second-y", "second-z", "third-x", "third-y", "third-z", "k1-x", "k1-y", "k1-z", "k2-x",
-    "k2-y", "k2-z", "k3-x", "k3-y", "k3-z", "lead-x", "lead-y", "lead-z", "hole-top", "hole-way", "hole-gap", "hole-end", "feed", "speed", "limit", "held",
+    "k2-y", "k2-z", "k3-x", "k3-y", "k3-z", "lead-x", "lead-y", "lead-z", "hole-top", "hole-way", "hole-gap", "hole-end", "speed-back", "feed", "speed", "limit", "held",
     "number", "value", "edge", "turret", "raised", "wider", "offset", "own-diameter", "nose", "place", "approach", "entry",
     "around", "sharp", "way", "merge",
     "contour", "rotary", "purpose", "purpose-angle", "filter", "seconds", "revolutions", "machine-x", "machine-y", "machine-z", "shift-x",

@@ -69,10 +69,11 @@ enum class Value : std::uint8_t {
     lead_y,
     lead_z,
     // Holes of canned cycles.
-    hole_top,  ///< w of the surface, where the cycle says it, else of the retract plane
-    hole_way,  ///< from there down to the bottom, positive
-    hole_gap,  ///< from there up to the retract plane
-    hole_end,  ///< where the cycle ends: the return level, else the retract plane
+    hole_top,    ///< w of the surface, where the cycle says it, else of the retract plane
+    hole_way,    ///< from there down to the bottom, positive
+    hole_gap,    ///< from there up to the retract plane
+    hole_end,    ///< where the cycle ends: the return level, else the retract plane
+    speed_back,  ///< of a tap on its way out, 1/min
     // What holds.
     feed,
     speed,

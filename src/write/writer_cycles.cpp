@@ -103,6 +103,8 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
     if (s.spindle.speed > 0 && s.spindle.mode == cl::SpindleMode::rpm) turning_speed_ = s.spindle.speed;
     if (turning_speed_ > 0) values_.set(Value::speed, turning_speed_);
     if (way.speed) values_.set(Value::speed, *way.speed);
+    const double tapping = height(cycle, cl::CycleRole::spindle_speed).value_or(way.speed.value_or(turning_speed_));
+    if (tapping > 0) values_.set(Value::speed_back, tapping * height(cycle, cl::CycleRole::rpm_factor).value_or(1));
 }
 
 /// Where the tool stood when the series began, or stands when it begins with a cycle now. Of a way over the hole its

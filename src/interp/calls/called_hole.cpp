@@ -123,7 +123,7 @@ void call_hole(Calling& run, const HoleCall& call, const WayOfCall& calling) {
                   std::string(call.cycle->name) +
                       " is called with radius compensation in force: where the control goes then is not known, it is "
                       "run at the programmed point",
-                  "write G40 before the call");
+                  "end the compensation before the call");
     flush_path(run);
     begin_motion(run);
     if (needs_feed(d)) require_feed(run);

@@ -64,7 +64,7 @@ void call_hole_pattern(Calling& run, const program::Call& call) {
     if (run.modal_call.unit != nullptr) return say_not_run(run, call, "a program is called at its places");
     if (hole.cycle == nullptr)
         return alarm(run, codes::value_range, call.where, "no drilling cycle is modal" + of_alarm("62100"),
-                     "write MCALL with the cycle before the pattern");
+                     "make the cycle modal before the pattern");
     if (run.modal.diameter != DiameterMode::off && run.modal.plane == 18)
         return say_not_run(run, call, "its places lie in a plane with diameters");
     const auto numbers = numbers_of(run, call);
