@@ -62,6 +62,8 @@ struct Result {
     /// B, which was written from A, compensates the lengths of several tools, and A none: whether its zeros are for
     /// that nobody knows.
     std::optional<Difference> lengths;
+    std::vector<std::string>
+        assumed;  ///< what is taken for granted besides, where one says otherwise what the other does
     [[nodiscard]] const Difference* of(Aspect a) const;
     /// It does not differ, and all of it has been looked at.
     [[nodiscard]] bool is_equal(Aspect a) const;

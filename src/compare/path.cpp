@@ -207,7 +207,9 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     const cl::ToolLength& length = cursor_.state().length;
     if (!(length == length_there_)) at_.reset(), length_there_ = length;
     const bool turned = has_turned_before(record.step);
-    if (!turned && leads_nowhere(record.step, to)) {
+    // Ways to places of the machine that nobody knows are as many as the program says, however near they lie.
+    const bool is_known = std::isfinite(to.x) && std::isfinite(to.y) && std::isfinite(to.z);
+    if (!turned && !(to_holder_ && !is_known) && leads_nowhere(record.step, to)) {
         tilts_ = tilts_ && !std::isnan(to.x);  // one such step a plane: the next one to nobody knows where is a move
         return said_.reset();
     }
@@ -332,7 +334,7 @@ void Path::take_event(const cl::Record& record) {
     if (const auto* data = std::get_if<cl::ToolData>(&record.step)) return take_tool_data(record, *data);
     cl::Step step = record.step;
     if (const auto* change = std::get_if<cl::ToolChange>(&step)) {
-        const cl::ToolChange now = tool_of(*change), before = holding_->tool;
+        const cl::ToolChange now = tool_of(*change), before = std::exchange(changed_to_, now);
         const bool same = now.number == before.number && now.name == before.name;
         hold();
         if (!same) at_.reset();  // another tool's tip is elsewhere, whatever its numbers are

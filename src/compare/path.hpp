@@ -104,9 +104,10 @@ private:
     motion::Cursor cursor_;
     std::shared_ptr<const Holding> moving_;  ///< what held at the last move under a tool
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
-    Holding marked_;          ///< the same, with numbers in the place of those that nobody knows
-    bool held_ = false;       ///< nothing came since that would change it
-    bool to_holder_ = false;  ///< the next move leads what holds the tool to a place of the machine
+    Holding marked_;             ///< the same, with numbers in the place of those that nobody knows
+    bool held_ = false;          ///< nothing came since that would change it
+    cl::ToolChange changed_to_;  ///< last, also where it does not count (to_holder_)
+    bool to_holder_ = false;     ///< the next move leads what holds the tool to a place of the machine
     enum class Tap : std::uint8_t { none, in, back };
     Tap tap_ = Tap::none;    ///< the last move, of a rigid tap
     cl::Spindle tap_sense_;  ///< on its way in

@@ -6,6 +6,7 @@
 #include "cl/text.hpp"
 #include "driver/control.hpp"
 #include "driver/stream_file.hpp"
+#include "shop/home.hpp"
 
 namespace obrys::driver {
 
@@ -64,6 +65,49 @@ private:
     std::vector<Noted> noted_;
     std::size_t moves_ = 0, repeats_at_ = 0;
     bool repeats_ = false;
+};
+
+/// Places of the machine that a program leads to, by how it says them.
+class SaidPlaces {
+public:
+    void take(const cl::Record& record) {
+        const auto* place = std::get_if<cl::MachinePlace>(&record.step);
+        if (place == nullptr || place->kind == cl::PlaceKind::frame) return;
+        kinds_.push_back(place->kind);
+        if (place->kind == cl::PlaceKind::home && !first_home_) first_home_ = record;
+        if (place->kind == cl::PlaceKind::home)
+            for (std::size_t k = 0; k < axes_.size(); ++k) axes_[k] = axes_[k] || place->axes[k];
+    }
+    /// What one says by its reference point the other says by coordinates. If nobody has given home, they are the same
+    /// place as far as that is taken for granted.
+    static std::vector<std::string> assumed(const SaidPlaces& a, const SaidPlaces& b, const Session& of_a,
+                                            const Session& of_b) {
+        std::vector<std::string> out;
+        if (a.kinds_ == b.kinds_) return out;
+        tell(a, of_a, out);
+        tell(b, of_b, out);
+        return out;
+    }
+
+private:
+    static void tell(const SaidPlaces& said, const Session& session, std::vector<std::string>& out) {
+        std::string axes;
+        for (std::size_t k = 0; k < said.axes_.size(); ++k) {
+            const std::string name(1, "XYZ"[k]);
+            if (said.axes_[k] && shop::home_of(session.job.machine, name, session.homes_at_zero).is_assumed)
+                axes += (axes.empty() ? "" : ", ") + name;
+        }
+        if (axes.empty()) return;
+        const base::Position at = session.sources.position(said.first_home_->from);
+        out.push_back(std::string(session.sources[said.first_home_->from.file].name) + ":" + std::to_string(at.line) +
+                      ": no home of " + axes +
+                      " is given: machine coordinate 0, to which the other goes, is taken for it, as on most machines "
+                      "(home in the machine file)");
+    }
+
+    std::vector<cl::PlaceKind> kinds_;
+    std::array<bool, 3> axes_{};
+    std::optional<cl::Record> first_home_;
 };
 
 /// `step_a` and `step_b` give a few records of theirs to the comparison; false behind the last.
@@ -126,11 +170,14 @@ compare::Result compare_sessions(Session& a, Session& b, compare::Tolerance tole
     using Side = compare::Comparison::Side;
     tolerance.same_control = !a.control.empty() && a.control == b.control;
     tolerance.joins_freely = tolerance.same_control && joins_freely(a.control);
+    a.homes_at_zero = b.homes_at_zero = true;
     compare::Comparison comparison(tolerance);
-    Records in_a(a, [&](const cl::Record& record) { comparison.take(Side::a, record); });
-    Records in_b(b, [&](const cl::Record& record) { comparison.take(Side::b, record); });
+    SaidPlaces places_a, places_b;
+    Records in_a(a, [&](const cl::Record& record) { places_a.take(record), comparison.take(Side::a, record); });
+    Records in_b(b, [&](const cl::Record& record) { places_b.take(record), comparison.take(Side::b, record); });
     compare::Result out = compare_steps(
         comparison, [&] { return in_a.step(); }, [&] { return in_b.step(); });
+    out.assumed = SaidPlaces::assumed(places_a, places_b, a, b);
     if (in_a.repeats() != in_b.repeats())  // which is more than an end that one of them alone says
         std::erase_if(out.first,
                       [](const compare::Difference& d) { return d.aspect == compare::Aspect::events && !d.is_done; });

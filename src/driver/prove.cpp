@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <set>
 
 #include "base/codes.hpp"
 #include "driver/compare_programs.hpp"
@@ -235,10 +236,17 @@ write::Post by_tool_path(write::Post post) {
     return post;
 }
 
+/// A reference point and the coordinates of its place have one word between them: whether they are the same counts.
+bool lacks_a_word_for_homes(const write::Post& post) {
+    using write::Command;
+    return !post.has(Command::machine_home) || !post.has(Command::machine_coordinates);
+}
+
 /// A way of writing a program, and the post by which that was done.
 struct Version {
     write::Post post;
     Settled settled;
+    std::set<std::size_t> by_moves{};  ///< cycles, counted from 0
 };
 
 /// Ways of writing the same with less of the control's own, the likeliest first.
@@ -261,9 +269,12 @@ bool is_better(const Settled& a, const Settled& b) {
 
 }  // namespace
 
-Settled translate(Session& session, const write::Post& post, const Request& request, const TranslateOptions& options,
+Settled translate(Session& session, const write::Post& post, const Request& wanted, const TranslateOptions& options,
                   const compare::Tolerance& tolerance) {
     constexpr int most_attempts = 16;
+    constexpr std::size_t most_alone = 6;  // cycles by their moves, before all of a form are
+    Request request = wanted;
+    request.homes_at_zero = session.homes_at_zero = lacks_a_word_for_homes(post);
     Version best{post, {write_program(session, post, options), {}}};
     if (best.settled.translated.ending == interp::Ending::budget) {
         best.settled.proved.why_not = "the program does not end within the limits of its run";
@@ -272,18 +283,29 @@ Settled translate(Session& session, const write::Post& post, const Request& requ
     }
     best.settled.proved = hold_against(best.settled.translated, post, request, session, tolerance);
     /// Whether it is better so; then it counts.
-    const auto better_by = [&](const write::Post& other) {
-        Settled next{write_again(best.settled.translated, other, options), {}};
+    const auto better_with = [&](const write::Post& other, const std::set<std::size_t>& by_moves) {
+        Settled next{write_again(best.settled.translated, other, options, by_moves), {}};
         next.proved = hold_against(next.translated, other, request, session, tolerance);
         if (!is_better(next, best.settled)) return false;
-        best = {other, std::move(next)};
+        best = {other, std::move(next), by_moves};
         return true;
+    };
+    const auto better_by = [&](const write::Post& other) { return better_with(other, best.by_moves); };
+    std::optional<UsedForm> alone;  // the cycle that was written by its moves last
+    const auto better_without_cycle = [&](std::size_t differs) {
+        const UsedForm* form = form_before(best.settled.translated, differs, tolerance.length);
+        if (form == nullptr || (alone && form->is_next_of(*alone)) || best.by_moves.size() >= most_alone) return false;
+        alone = *form;
+        std::set<std::size_t> by_moves = best.by_moves;
+        by_moves.insert(form->cycle);
+        return better_with(write::Post(best.post), by_moves);
     };
     const bool once = post.staircase || post.magazine;
     if (!once && may_go_by_tool_path(best.settled)) static_cast<void>(better_by(by_tool_path(post)));
     for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
         const std::optional<std::size_t> at = differs_at(best.settled.proved);
         if (!at) break;
+        if (better_without_cycle(*at)) continue;
         const std::vector<write::Post> lesser = lesser_posts(best, *at, tolerance.length);
         if (std::none_of(lesser.begin(), lesser.end(), better_by)) break;  // it is something else that differs
     }

@@ -78,6 +78,7 @@ Session::Session(std::shared_ptr<const Session> opened)
       has_stored(shares->has_stored),
       spindle_goes_on(shares->spindle_goes_on),
       stand_alone(shares->stand_alone),
+      homes_at_zero(shares->homes_at_zero),
       has_job(shares->has_job),
       looked_ahead_in_vain(shares->looked_ahead_in_vain),
       unusable(shares->unusable) {}
@@ -197,6 +198,7 @@ EnvironmentOf::EnvironmentOf(Session& s)
                   &s.programs->backups(),
                   s.job.tool_lengths,
                   s.job.first_tool,
+                  s.homes_at_zero,
                   s.looked_ahead_in_vain} {}
 
 namespace {

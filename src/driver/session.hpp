@@ -41,6 +41,7 @@ struct Request {
     /// program's variables does not count for it.
     std::shared_ptr<const std::string> text{};
     shop::GivenValues given{};   ///< of `text`: in the place of [variables] of the job
+    bool homes_at_zero = false;  ///< as Environment says it
     bool stand_alone = false;    ///< run as LinuxCNC's interpreter by itself runs it, from the machine's zero
     bool keeps_remarks = false;  ///< what the programmer has written for people goes into the stream
 };
@@ -74,6 +75,7 @@ struct Session {
     bool spindle_goes_on = false;   ///< through a tool change, as the configuration says
     bool stand_alone = false;       ///< as the request says
     bool for_these_values = false;  ///< as the request says
+    bool homes_at_zero = false;     ///< as Environment says it
     bool has_job = false;
     std::uint32_t looked_ahead_in_vain = 0;  ///< for tests, as Environment says it
     bool unusable = false;                   ///< a file that the job names is not what it should be

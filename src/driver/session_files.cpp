@@ -113,6 +113,7 @@ void find_shop_files(Session& s, const Request& request, const fs::path& program
 
 void load_configuration(Session& s, const Request& request) {
     s.stand_alone = request.stand_alone;
+    s.homes_at_zero = request.homes_at_zero;
     s.for_these_values = request.for_these_values;
     if (request.stand_alone) s.machine_unit = 25.4;
     bool keeps_g92 = true;

@@ -10,6 +10,7 @@
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "driver/stream_file.hpp"
+#include "shop/home.hpp"
 #include "shop/nearest.hpp"
 
 namespace obrys::driver {
@@ -100,7 +101,8 @@ base::Diagnostic complaint_of(const write::Note& note, const Session& s) {
     base::Diagnostic d;
     const bool lost = note.fate == write::Fate::lost;
     d.severity = lost ? base::Severity::error : base::Severity::note;
-    d.code = lost ? codes::not_written : codes::written_by_moves;
+    d.code = lost ? codes::not_written : !note.remedy.empty() ? codes::assumption : codes::written_by_moves;
+    d.remedy = note.remedy;
     d.where = note.in_post.value_or(note.from);
     if (!note.in_post) d.stack = s.stacks.sites(note.stack);
     const std::string file = note.file.empty() ? "" : note.file + ", ";
@@ -154,7 +156,7 @@ cl::Record by_its_place(const cl::Record& record, write::Magazine& magazine) {
 
 /// Where a form of the post stands among those for its kind of cycle.
 UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t record) {
-    UsedForm out{record, by.kind, std::nullopt};
+    UsedForm out{record, by.cycle, by.kind, std::nullopt};
     if (by.form != nullptr) out.form = static_cast<std::size_t>(by.form - post.cycles.at(by.kind).data());
     return out;
 }
@@ -162,7 +164,8 @@ UsedForm used(const write::FoldedBy& by, const write::Post& post, std::size_t re
 /// Writes a stream, which `stream` hands to a sink. `run`: what the post makes of it where those are other moves
 /// (staircases); null: nobody asks.
 void write_stream(Translated& out, const write::Post& post, const TranslateOptions& options,
-                  const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr) {
+                  const std::function<void(cl::Sink)>& stream, std::function<void(const cl::Record&)> run = nullptr,
+                  const std::set<std::size_t>& by_moves = {}) {
     write::Output output;
     output.text = [&](std::string_view text) { out.text->append(text); };
     output.note = [&](const write::Note& note) { static_cast<void>(out.ledger.add(note)); };
@@ -171,10 +174,9 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
             out.files.push_back({file, std::string(text)});
         };
     std::size_t taken = 0;
-    output.folded = [&](const write::FoldedBy& by) {
-        const UsedForm now = used(by, post, taken);
-        if (out.forms.empty() || !out.forms.back().is_same(now)) out.forms.push_back(now);
-    };
+    output.folded = [&](const write::FoldedBy& by) { out.forms.push_back(used(by, post, taken)); };
+    output.by_moves = by_moves;
+    output.homes = out.homes;
     output.run = std::move(run);
     write::Writer writer(post, name_in(post, options.name), output);
     stream([&](const cl::Record& record) {
@@ -186,6 +188,15 @@ void write_stream(Translated& out, const write::Post& post, const TranslateOptio
     if (writer.stairs() != nullptr) out.stairs = write::text_of(*writer.stairs(), *post.staircase);
     if (writer.magazine() != nullptr) out.tools = write::text_of(writer.magazine()->slots());
     note_characters(out, post);
+}
+
+write::Homes homes_of(const Session& s) {
+    write::Homes out;
+    for (std::size_t k = 0; k < out.at.size(); ++k) {
+        const shop::Home home = shop::home_of(s.job.machine, std::string_view("XYZ").substr(k, 1), s.homes_at_zero);
+        out.at[k] = home.at, out.assumed[k] = home.is_assumed;
+    }
+    return out;
 }
 
 bool has_remarks(const Session& s) {
@@ -236,6 +247,7 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     if (shop::Budgets& limits = session.job.budgets; !limits.bounds_loops) limits.loop_passes = most_written;
     if (post.is_canon) return translate_to_canon(session);
     Translated out;
+    out.homes = homes_of(session);
     make_room(*out.text, session.sources[session.main != nullptr ? session.main->file : 0].text.size());
     cl::Recording does;
     std::optional<write::Magazine> magazine;
@@ -253,16 +265,21 @@ Translated write_program(Session& session, const write::Post& post, const Transl
     return out;
 }
 
-Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options) {
+Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options,
+                       const std::set<std::size_t>& by_moves) {
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
+    out.homes = first.homes;
     make_room(*out.text, first.text->size());
-    write_stream(out, post, options, [&](cl::Sink sink) {
-        cl::Recording::Playback stream(*out.does);
-        while (stream.step(sink)) {
-        }
-    });
+    write_stream(
+        out, post, options,
+        [&](cl::Sink sink) {
+            cl::Recording::Playback stream(*out.does);
+            while (stream.step(sink)) {
+            }
+        },
+        nullptr, by_moves);
     return out;
 }
 

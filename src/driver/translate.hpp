@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 
@@ -36,9 +37,12 @@ enum class PostFor : std::uint8_t { moves, statements };
 /// By which of the post's forms a cycle is written.
 struct UsedForm {
     std::size_t record = 0;  ///< of the stream, counted from 1
+    std::size_t cycle = 0;   ///< of the program's, counted from 0
     cl::CycleKind kind = cl::CycleKind::drill;
     std::optional<std::size_t> form{};  ///< among those of the kind; nothing: by a function of the post
-    [[nodiscard]] bool is_same(const UsedForm& other) const { return kind == other.kind && form == other.form; }
+    [[nodiscard]] bool is_next_of(const UsedForm& other) const {
+        return kind == other.kind && form == other.form && cycle == other.cycle + 1;
+    }
 };
 
 /// What was written, and what it was written from.
@@ -50,9 +54,10 @@ struct Translated {
     write::Tape tape = write::Tape::none;       ///< in whose code it is to be delivered
     std::string tools{};                        ///< with their places in the magazine and their offsets, for people
     std::string stairs{};                       ///< what has become of slopes and arcs, for people; empty: nothing
-    std::vector<UsedForm> forms{};              ///< of cycles, where another one than before is used
+    std::vector<UsedForm> forms{};              ///< of cycles that are not written by their moves
     interp::Ending ending = interp::Ending::regular;  ///< of the program
     bool repeats = false;                             ///< it begins anew, without end
+    write::Homes homes{};                             ///< of the machine that it was run on
     bool begins_anew = false;                         ///< what is written does so, too
 };
 
@@ -64,7 +69,9 @@ struct TranslateOptions {
 [[nodiscard]] Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options);
 /// Writes what a program does once more, by another post; none with staircases or a magazine, whose `does` is another
 /// stream than what was taken.
-[[nodiscard]] Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options);
+/// `by_moves`: cycles, counted from 0, that are written by their moves.
+[[nodiscard]] Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options,
+                                     const std::set<std::size_t>& by_moves);
 /// Adds what is expanded or lost to the session's diagnostics, and what was not understood to the ledger. Once.
 void tell(Session& session, Translated& translated);
 
@@ -115,10 +122,10 @@ struct Settled {
     Proved proved;
 };
 /// Runs the main program, writes it and proves it. A cycle of the target's control that runs otherwise than the
-/// program's (other ways back, another machine's parameters) is left out, and all that it was for is written by the
-/// post's next form or by its moves; so are frames. Radius compensation that the target makes otherwise (another way
-/// onto the contour, other corners) is left out for the tool's path. What is expanded, lost or otherwise is added to
-/// the session's diagnostics.
+/// program's (other ways back, another machine's parameters) is written by its moves, and where the next one of its
+/// form does so too, all of that form are, or by the post's next form; so are frames left out. Radius compensation that
+/// the target makes otherwise (another way onto the contour, other corners) is left out for the tool's path. What is
+/// expanded, lost or otherwise is added to the session's diagnostics.
 [[nodiscard]] Settled translate(Session& session, const write::Post& post, const Request& request,
                                 const TranslateOptions& options, const compare::Tolerance& tolerance);
 

@@ -61,6 +61,8 @@ struct Environment {
     shop::ToolLengths tool_lengths = shop::ToolLengths::not_said;
     /// Number of the tool in use when the program begins; 0: not known.
     std::uint32_t first_tool = 0;
+    /// Where the file of the machine gives no home of X, Y or Z, machine coordinate 0 is taken for it (shop::home_of).
+    bool homes_at_zero = false;
     /// For tests: statements that are looked at before every statement that is run, without a trace.
     std::uint32_t looked_ahead_in_vain = 0;
 };

@@ -25,7 +25,8 @@ struct MachineAxis {
     std::optional<double> min, max;            ///< travel in machine coordinates; a lathe's X as a radius
     double rapid = 10'000;                     ///< mm/min or degrees/min
     std::optional<double> acceleration, jerk;  ///< mm/s2, mm/s3 or degrees; nothing: as the path's (MachineMotion)
-    std::optional<double> home;  ///< machine coordinate of the reference point (G74) and of the start, if known
+    std::optional<double> home;                ///< machine coordinate of the reference point (G28, G74), if known
+    std::optional<double> second_home;         ///< the same of the second one (G30)
     /// Unit vector. Where its value grows, what stands behind the axis towards the tool moves that way, or turns
     /// counter-clockwise about it, as seen from the workpiece side: so too where really the table moves the other way.
     geom::Vec3 direction;

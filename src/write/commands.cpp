@@ -65,6 +65,7 @@ constexpr std::array<CommandName, static_cast<std::size_t>(Command::count)> comm
     {Command::machine_tip, "machine", "tip", "machine.tip"},
     {Command::machine_linear_tip, "machine", "linear-tip", "machine.linear-tip"},
     {Command::machine_home, "machine", "home", "machine.home"},
+    {Command::machine_retract, "machine", "retract", "machine.retract"},
     {Command::machine_second, "machine", "second-home", "machine.second-home"},
     {Command::machine_fixed, "machine", "fixed", "machine.fixed"},
     {Command::coolant_off, "coolant", "off", "coolant.off"},

@@ -66,7 +66,8 @@ enum class Command : std::uint8_t {
     machine_tip,         ///< the tool's tip goes there
     machine_linear_tip,  ///< the same at feed
     machine_home,
-    machine_second,  ///< the second reference point
+    machine_retract,  ///< Z alone, where other reference points have no words
+    machine_second,   ///< the second reference point
     machine_fixed,
     coolant_off,
     coolant_flood,

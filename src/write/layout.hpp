@@ -3,8 +3,11 @@
 /// called write their blocks once, as subprograms, where they come to the same again. Holds the text of open parts and
 /// of subprograms, nothing of the main program.
 
+#include <array>
 #include <functional>
+#include <limits>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +21,14 @@ namespace obrys::write {
 struct FoldedBy {
     cl::CycleKind kind = cl::CycleKind::drill;
     const CycleForm* form = nullptr;
+    std::size_t cycle = 0;  ///< of those that were taken, counted from 0
+};
+
+/// Machine coordinates of the reference points of X, Y and Z, NaN where they are not known.
+struct Homes {
+    std::array<double, 3> at{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN(),
+                             std::numeric_limits<double>::quiet_NaN()};
+    std::array<bool, 3> assumed{};  ///< nobody has given them
 };
 
 struct Output {
@@ -27,6 +38,8 @@ struct Output {
     std::function<void(const std::string& name, std::string_view text)> file{};
     std::function<void(const cl::Record&)> run{};   ///< what is written, where that is not what was taken (staircases)
     std::function<void(const FoldedBy&)> folded{};  ///< the cycle that was taken last is written as one of the control
+    std::set<std::size_t> by_moves{};  ///< cycles that are written by their moves whatever forms there are, from 0
+    Homes homes{};                     ///< of the machine
 };
 
 /// A text in UTF-8 as the control has it; ? for what it does not have.

@@ -16,6 +16,8 @@ Writer::Writer(const Post& post, std::string name, Output output)
     }
     for (std::size_t c = 0; c < places_.size(); ++c) places_[c] = Places(post.commands[c]);
     folded_ = std::move(output.folded);
+    homes_ = output.homes;
+    by_moves_ = std::move(output.by_moves);
     if (post_.magazine) magazine_.emplace(*post_.magazine);
     if (post_.staircase) begin_stairs(std::move(output.run));
     const auto folds = [&](cl::CycleKind kind) {

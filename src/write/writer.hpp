@@ -107,6 +107,7 @@ private:
     void event(const cl::Dwell& dwell);
     void event(const cl::Stop& stop);
     void event(const cl::Comment& comment);
+    [[nodiscard]] std::vector<std::string> lines_about_cycles() const;
     void event(const cl::Output& signal);
     void event(const cl::Override& allowed);
     void event(const cl::Auxiliary& aux);
@@ -167,7 +168,7 @@ private:
     void set_zero(std::uint32_t number, bool added);
     void write_zero(const cl::DatumData& data);
     void write_frame();
-    [[nodiscard]] bool write_said(const cl::Linear& line, const cl::MachinePlace& place);
+    [[nodiscard]] bool write_said(const cl::Linear& line, cl::MachinePlace place);
     [[nodiscard]] bool take_places_of_axes();
     [[nodiscard]] bool turns_with_plane(const cl::Step& step) const;
     [[nodiscard]] bool is_turned_by_control(const cl::Step& step) const;
@@ -200,7 +201,9 @@ private:
                                              const geom::Vec3& centre) const;
     void write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Programmed* corner);
     [[nodiscard]] bool write_place(const cl::Linear& line);
+    [[nodiscard]] Command home_command(const cl::MachinePlace& place) const;
     [[nodiscard]] Command place_command(const cl::MachinePlace& place, bool rapid) const;
+    void note_assumed_home(const cl::MachinePlace& place, bool by_home);
     void write_spline(const cl::Spline& spline);
     void write_thread(const cl::Thread& thread, const geom::Vec3& from);
     [[nodiscard]] std::optional<Command> compensation_of(const cl::CompensationBegin& begin) const;
@@ -258,6 +261,7 @@ private:
     void coolant_said(std::uint64_t line);
 
     const Post& post_;
+    Homes homes_;
     std::string name_;
     Layout layout_;
     Printer printer_;
@@ -268,6 +272,8 @@ private:
     std::optional<Staircase> stairs_;  ///< before all else, where the control moves one axis at a time
     std::optional<LoneTaps> taps_;     ///< the same, where it taps by cycles alone
     std::function<void(const FoldedBy&)> folded_;
+    std::set<std::size_t> by_moves_;
+    std::size_t cycles_taken_ = 0;
     std::unique_ptr<Hooks> hooks_;                                         ///< null: the post has none
     Template said_;                                                        ///< by one of them
     std::array<Places, static_cast<std::size_t>(Command::count)> places_;  ///< of the post's commands

@@ -287,7 +287,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     if (printer_.print(call, values_, parts, false, form == &said) == Printed::failed) return false;
     if (form == &said) printer_.forget_words_of(said.call);
     note(Fate::mapped, name_of_cycle(*begin.cycle), line);
-    if (folded_) folded_({cycle.kind, form == &said ? nullptr : form});
+    if (folded_) folded_({cycle.kind, form == &said ? nullptr : form, cycles_taken_ - 1});
     in_cycles_ = post_.has(Command::cycle_end);
     series_level_ = level;
     if (const int turns = spindle_word(form->call); turns != 0) spindle_.direction = turns > 0 ? 1 : -1;
@@ -310,7 +310,7 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
     const bool taps = (kind >= cl::CycleKind::tap_floating_simple && kind <= cl::CycleKind::tap_chip_breaking) ||
                       kind == cl::CycleKind::canned_tap_floating || kind == cl::CycleKind::canned_tap_rigid;
     if (taps) note_tapping();
-    const bool folded = fold(begin);
+    const bool folded = !by_moves_.contains(cycles_taken_++) && fold(begin);
     static_cast<void>(cursor_.take(record));
     if (folded) {
         folding_ = 1;

@@ -155,6 +155,22 @@ void Writer::event(const cl::ToolData& data) {
     print(Command::tool_data, "what a tool is");
 }
 
+/// Lines that the post writes about cycles whatever these say: comments are among them.
+std::vector<std::string> Writer::lines_about_cycles() const {
+    std::vector<std::string> out;
+    const auto add = [&](const Template& text) {
+        for (const Block& block : text) {
+            const bool fixed =
+                std::all_of(block.begin(), block.end(), [](const Token& t) { return t.kind == Token::Kind::literal; });
+            if (const auto line = fixed ? printer_.whole(block, Values{}) : std::nullopt) out.push_back(*line);
+        }
+    };
+    add(post_[Command::cycle_begin]), add(post_[Command::cycle_end]);
+    for (const auto& [kind, forms] : post_.cycles)
+        for (const CycleForm& form : forms) add(form.define), add(form.call);
+    return out;
+}
+
 void Writer::event(const cl::Comment& comment) {
     const Command wanted = comment.terminal ? Command::terminal : Command::message;
     const Command command = comment.message && post_.has(wanted) ? wanted : Command::comment;
@@ -174,6 +190,9 @@ void Writer::event(const cl::Comment& comment) {
     if (post_.encoding == Encoding::windows_1252 && base::utf8_to_cp1252(text, '?') != base::utf8_to_cp1252(text, '_'))
         note(Fate::expanded, "a comment, with ? for characters that Windows-1252 has not,");
     values_.set(Text::text, text);
+    const auto line = post_[command].empty() ? std::nullopt : printer_.whole(post_[command].front(), values_);
+    const std::vector<std::string> own = line ? lines_about_cycles() : std::vector<std::string>{};
+    if (std::find(own.begin(), own.end(), line) != own.end()) return;  // the cycle brings it along
     print(command, "a comment");
 }
 

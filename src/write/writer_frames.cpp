@@ -156,16 +156,65 @@ void Writer::write_frame() {
     }
 }
 
+/// The post's words for such a reference point.
+Command Writer::home_command(const cl::MachinePlace& place) const {
+    if (place.number > 1) return Command::machine_second;
+    const bool is_retract = place.axes == std::array{false, false, true} && !post_.has(Command::machine_home);
+    return is_retract ? Command::machine_retract : Command::machine_home;
+}
+
+namespace {
+
+constexpr double same_place = 1e-6;  ///< mm
+
+/// By coordinates to where the reference point lies.
+bool is_at_home(const cl::MachinePlace& place, const Homes& homes) {
+    const std::array to{place.to.x, place.to.y, place.to.z};
+    for (std::size_t k = 0; k < to.size(); ++k)
+        if (place.axes[k] && !(std::abs(to[k] - homes.at[k]) <= same_place)) return false;
+    return place.kind == cl::PlaceKind::coordinates && !place.tip;
+}
+
+/// What a post lacks that has no words for the place.
+std::string why_not_placed(const cl::MachinePlace& place, Command command, const Post& post) {
+    if (place.tip) return " that its tip goes to: the post has no " + std::string(name_of(command));
+    const bool is_home = place.kind == cl::PlaceKind::home;
+    if (is_home && !is_place_known(place) && post.has(Command::machine_coordinates))
+        return place.number > 2   ? ", a further reference point,"
+               : place.number > 1 ? ", a reference point of which no second_home is given in the machine file,"
+                                  : ", a reference point of which no home is given in the machine file,";
+    if (is_home && place.number == 1 && post.has(Command::machine_retract))
+        return ", a reference point beside that of Z: the post has no " + std::string(name_of(Command::machine_home));
+    return "";
+}
+
+}  // namespace
+
 /// Beside its tool a mill has no length: its words for the tip, which need not put that off, say the same.
 Command Writer::place_command(const cl::MachinePlace& place, bool rapid) const {
     if (place.kind == cl::PlaceKind::fixed) return Command::machine_fixed;
-    if (place.kind == cl::PlaceKind::home) {
-        const Command home = place.number > 1 ? Command::machine_second : Command::machine_home;
-        if (post_.has(home) || !is_place_known(place)) return home;  // else by its coordinates
-    }
+    const Command home = home_command(place);
+    if (place.kind == cl::PlaceKind::home && (post_.has(home) || !is_place_known(place)))
+        return home;  // else by its coordinates
+    if (rapid && !post_.has(Command::machine_coordinates) && post_.has(home) && is_at_home(place, homes_)) return home;
     const Command tip = rapid ? Command::machine_tip : Command::machine_linear_tip;
     const bool beside = !place.axes[2] && !turns(post_) && post_.has(tip);
     return place.tip || beside ? tip : rapid ? Command::machine_coordinates : Command::machine_linear;
+}
+
+/// The one is written for the other, and nobody has said that they are the same place.
+void Writer::note_assumed_home(const cl::MachinePlace& place, bool by_home) {
+    std::string axes;
+    for (std::size_t k = 0; k < place.axes.size(); ++k)
+        if (place.axes[k] && homes_.assumed[k]) axes += (axes.empty() ? "" : ", ") + std::string(1, "XYZ"[k]);
+    if (axes.empty() || by_home == (place.kind == cl::PlaceKind::home)) return;
+    Note assumed;
+    assumed.fate = Fate::expanded;
+    assumed.remedy = "give home of the axes in the machine file";
+    assumed.what = std::string(by_home ? "a move to machine coordinate 0" : "a move to the reference point") +
+                   ": no home of " + axes + " is given, and machine coordinate 0 is taken for it, as on most machines";
+    assumed.instead = by_home ? "is written as one to the reference point" : "is written by its machine coordinates";
+    note_at(std::move(assumed));
 }
 
 /// A move to a place of the machine; false where there is none, or the post cannot say it and the place is known.
@@ -174,24 +223,20 @@ bool Writer::write_place(const cl::Linear& line) {
     const cl::MachinePlace place = *std::exchange(place_, std::nullopt);
     if (place.kind == cl::PlaceKind::frame) return write_said(line, place);
     const Command command = place_command(place, line.rapid);
-    const bool said =
-        command == Command::machine_home || command == Command::machine_second || command == Command::machine_fixed;
+    const bool by_home = command == Command::machine_home || command == Command::machine_retract;
+    const bool said = by_home || command == Command::machine_second || command == Command::machine_fixed;
     const std::array<double, 3> to{place.to.x, place.to.y, place.to.z};
     if (!post_.has(command) || (!said && !is_place_known(place))) {
         const geom::Vec3 p = line.to;
-        const bool nowhere =
-            place.kind == cl::PlaceKind::home && !is_place_known(place) && post_.has(Command::machine_coordinates);
-        const std::string why = place.tip ? " that its tip goes to: the post has no " + std::string(name_of(command))
-                                : nowhere ? ", a reference point of which no home is given in the machine file,"
-                                          : "";
-        note(geom::is_finite(p) ? Fate::expanded : Fate::lost, "a move to a place of the machine" + why);
+        note(geom::is_finite(p) ? Fate::expanded : Fate::lost,
+             "a move to a place of the machine" + why_not_placed(place, command, post_));
         return !geom::is_finite(p);
     }
     end_cycles();
     end_compensation_alone(Urgency::may_wait);
     const bool ends_length = post_.length_moves && length_waits_ == Command::length_off && place.axes[2] &&
                              has_part(post_[command], Part::length);
-    if (length_waits_ && !post_.length_moves && command != Command::machine_home) write_all();
+    if (length_waits_ && !post_.length_moves && !by_home) write_all();
     constexpr std::array names{Value::machine_x, Value::machine_y, Value::machine_z};
     values_.clear();
     for (std::size_t k = 0; k < 3; ++k)
@@ -207,19 +252,37 @@ bool Writer::write_place(const cl::Linear& line) {
         note(Fate::mapped, "a move to a place of the machine", at);
     else if (printed == Printed::failed)
         note(Fate::lost, "a move to a place of the machine: a word cannot hold " + printer_.failed_word());
+    if (printed != Printed::failed) note_assumed_home(place, by_home);
     if (ends_length && printed != Printed::failed) note_printed(command, post_[command], parts, at);
     z_of_machine_ = z_of_machine_ || place.axes[2];
     printer_.forget_coordinates();
     return true;
 }
 
+namespace {
+
+/// Each axis counts as that of the workpiece does, from another zero.
+bool is_shift(const std::vector<cl::FramePart>& parts) {
+    return std::all_of(parts.begin(), parts.end(),
+                       [](const cl::FramePart& p) { return p.frame.linear == geom::Frame{}.linear; });
+}
+
+}  // namespace
+
 /// What the program has said: of the other axes nobody knows where they stand, or the machine has taken them elsewhere.
-/// False where the frame is another one in the text: the point on the workpiece is written.
-bool Writer::write_said(const cl::Linear& line, const cl::MachinePlace& place) {
-    if (!(frames_.parts() == cursor_.state().frame.parts)) {
-        if (geom::is_finite(line.to)) return false;
-        note(Fate::lost, "a move to a coordinate that is not known");
-        return true;
+/// Where the frame is another one in the text, and neither is turned, they are other numbers for the same axes; else
+/// false: the point on the workpiece is written.
+bool Writer::write_said(const cl::Linear& line, cl::MachinePlace place) {
+    const std::vector<cl::FramePart>& wanted = cursor_.state().frame.parts;
+    if (!(frames_.parts() == wanted)) {
+        const bool shifted = is_shift(frames_.parts()) && is_shift(wanted);
+        if (!shifted && geom::is_finite(line.to)) return false;
+        const geom::Vec3 there = frames_.programmed(line.to), unsaid{NAN, NAN, NAN};
+        const auto& said = place.axes;
+        place.to = {said[0] ? there.x : unsaid.x, said[1] ? there.y : unsaid.y, said[2] ? there.z : unsaid.z};
+        const bool known = (!said[0] || std::isfinite(there.x)) && (!said[1] || std::isfinite(there.y)) &&
+                           (!said[2] || std::isfinite(there.z));
+        if (!shifted || !known) return note(Fate::lost, "a move to a coordinate that is not known"), true;
     }
     const std::array said{place.to.x, place.to.y, place.to.z};
     for (std::size_t k = 0; k < said.size(); ++k)

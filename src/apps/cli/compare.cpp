@@ -58,7 +58,7 @@ driver::Request request_of(const Arguments& a, const std::string& input, const s
     r.input = a.job_file.empty() ? input : a.job_file;
     r.program = a.job_file.empty() ? "" : input;
     r.set = driver::mapped(a.request.set, map);
-    r.for_these_values = true;
+    r.for_these_values = r.homes_at_zero = true;
     return r;
 }
 

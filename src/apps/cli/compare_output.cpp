@@ -90,7 +90,9 @@ std::string compared_text(const Compared& c) {
     if (c.block_stops_a + c.block_stops_b > 0)
         out += "exact stop of single blocks (G9): not compared: " + std::to_string(c.block_stops_a) + " in A, " +
                std::to_string(c.block_stops_b) + " in B\n";
-    return out + "stock: " + of_stock(c.stock) + "\n";
+    out += "stock: " + of_stock(c.stock) + "\n";
+    for (const std::string& taken : c.moves.assumed) out += "assumed: " + taken + "\n";
+    return out;
 }
 
 std::string compared_json(const Compared& c) {
@@ -106,6 +108,7 @@ std::string compared_json(const Compared& c) {
     stock = c.stock.verdict == Verdict::equal;
     if (c.stock.verdict == Verdict::not_compared) stock = nullptr;
     out["moves"] = {{"a", r.moves_a}, {"b", r.moves_b}};
+    if (!r.assumed.empty()) out["assumed"] = r.assumed;
     out["compared_moves"] = r.looked_to.value_or(r.moves_a);
     out["stock"] = json_of(c.stock);
     if (c.block_stops_a + c.block_stops_b > 0)

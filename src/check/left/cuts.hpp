@@ -72,6 +72,8 @@ public:
     /// cut's own or over it, as far as the stock goes up along the axis.
     [[nodiscard]] bool hold_way(const sim::milling::Shape& own, const geom::Straight& way, geom::Vec3 axis,
                                 double stock_top) const;
+    /// Whether a tool has been at a place, cutting: then all that it holds there is taken.
+    [[nodiscard]] bool was_at(const sim::milling::Shape& own, geom::Vec3 tip, geom::Vec3 axis) const;
 
 private:
     std::deque<sim::milling::Air::Sweep> sweeps_;

@@ -7,6 +7,7 @@
 
 #include "base/whole.hpp"
 #include "check/certify_shapes.hpp"
+#include "check/left/leaving.hpp"
 
 namespace obrys::check {
 
@@ -207,6 +208,27 @@ bool StockSearch::retraces(const Group& g, const StockPass& q, const LeftCuts& c
     return !there || cuts.hold_way(g.simulation.tool(q.tool).cutting, *there, q.axis, top);
 }
 
+/// A tool that leaves where it has cut last, or comes where it has cut before: it touches its cut all over. What is
+/// thin and was met by rays stays with the other searches.
+bool StockSearch::leaves_own_cut(const Group& g, const StockPass& q, const LeftCuts& cuts,
+                                 const LeftSearch& search) const {
+    const auto* way = std::get_if<geom::Straight>(&q.path);
+    if (q.body || way == nullptr || search.met) return false;
+    const std::optional<geom::Straight> there = at_stock(*way, q);
+    if (!there) return false;
+    for (const auto& [from, to] : {std::pair(there->from, there->to), std::pair(there->to, there->from)}) {
+        if (!cuts.was_at(g.simulation.tool(q.tool).cutting, from, q.axis)) continue;
+        LeftBody body{from, {to - from, {}, {}}, q.axis, {}, {}};
+        const milling::Heights heights = heights_in_stock(body);
+        const bool clear = std::all_of(q.part->profiles.begin(), q.part->profiles.end(), [&](const auto& profile) {
+            body.profile = clipped(profile, heights.low, heights.high);
+            return body.profile.size() < 2 || leaves_clear(body, search);
+        });
+        if (clear) return true;
+    }
+    return false;
+}
+
 /// Level circles first as they are, by quarters; what is not clear as its chords.
 StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const {
     Verdict verdict;
@@ -251,7 +273,7 @@ StockSearch::Verdict StockSearch::judge_one(Group& g, const StockPass& q) const 
             if (!piece.decided && ++open == open_in_full) search.planes = nullptr, search.most_cells = cells_when_open;
         }
     }
-    if (verdict.hit.depth > 0) verdict.decided = true;
+    if (verdict.hit.depth > 0 || (!verdict.decided && leaves_own_cut(g, q, cuts, search))) verdict.decided = true;
     return verdict;
 }
 

@@ -46,6 +46,8 @@ private:
     void judge_range(Group& g, std::size_t first, std::size_t end) const;
     [[nodiscard]] std::optional<geom::Straight> at_stock(const geom::Straight& way, const StockPass& q) const;
     [[nodiscard]] bool retraces(const Group& g, const StockPass& q, const LeftCuts& cuts) const;
+    [[nodiscard]] bool leaves_own_cut(const Group& g, const StockPass& q, const LeftCuts& cuts,
+                                      const LeftSearch& search) const;
     [[nodiscard]] Verdict judge_one(Group& g, const StockPass& q) const;
     [[nodiscard]] sim::milling::Heights heights_in_stock(const LeftBody& body) const;
     [[nodiscard]] bool all_clear(const LeftBody& way, const StockPart& part, const LeftSearch& search) const;

@@ -90,7 +90,7 @@ constexpr std::array m_codes{
     m(7, 9, 8, m_coolant),
     MCode{10, 11, 9, Use::ignored, m_user, {}, Modal::rapid, {}},  // the fourth axis free, clamped
     refused_m(19, "an oriented spindle, whose angle is not known"),
-    refused_m(26, "a way up to a place of the machine that is not known"),
+    MCode{26, 26, no_group, Use::modal, special, {}, Modal::reference_point, {}},
     m(27, 27, 8, m_coolant),
     m(30, 30, 4, m_stop),
     MCode{50, 51, 9, Use::ignored, m_user, {}, Modal::rapid, {}},  // the fifth axis free, clamped
@@ -192,6 +192,7 @@ const program::Traits acramatic_traits{
               .none = "no H",
               .none_key = "H0",
               .none_is_machine_zero = false},
+    .machine_words_are_gauge_point = true,
     .stops_before_motion = true,
     .changes_on_m6 = true,
     .dwell_in_feed_words = false,

@@ -18,14 +18,16 @@ std::uint32_t first_of(const Moving& run) {
     return run.block.special_number >= 2 ? p.home_second : p.home_first;
 }
 
-/// Machine coordinate to which the axis goes; NaN where it is not known.
-double home_of(const Moving& run, std::size_t axis) {
+/// Machine coordinate to which the axis goes.
+shop::Home home_of(const Moving& run, std::size_t axis) {
     if (const std::uint32_t first = first_of(run); first != 0) {
         const std::uint32_t n = first + static_cast<std::uint32_t>(axis);
-        if (run.parameters.is_set(n) || holds_all(run)) return run.parameters.get(n) * stored_unit(run, axis);
+        if (run.parameters.is_set(n) || holds_all(run)) return {run.parameters.get(n) * stored_unit(run, axis), false};
     }
+    if (run.block.special_number < 2) return reference_point_of(run, axis);
     const shop::MachineAxis* known = machine_axis(run, axis_name(axis));
-    return known != nullptr && known->home && run.block.special_number < 2 ? *known->home : unknown_number;
+    const bool is_second = run.block.special_number == 2 && known != nullptr && known->second_home;
+    return {is_second ? *known->second_home : unknown_number, false};
 }
 
 void emit_other_axis(Telling& run, std::size_t k, double to) {
@@ -40,13 +42,35 @@ bool is_absent(const Saying& run, std::size_t axis) {
     return !m.axes.empty() && !m.more_axes && machine_axis(run, axis_name(axis)) == nullptr;
 }
 
-std::string unknown_axes(const geom::Vec3& to) {
+std::string names_of(const std::array<bool, 3>& axes) {
     std::string names;
-    for (int k = 0; k < 3; ++k)
-        if (!std::isfinite(coordinate(to, k)))
-            names += (names.empty() ? "" : ", ") + axis_name(static_cast<std::size_t>(k));
+    for (std::size_t k = 0; k < axes.size(); ++k)
+        if (axes[k]) names += (names.empty() ? "" : ", ") + axis_name(k);
     return names;
 }
+
+std::string unknown_axes(const geom::Vec3& to) {
+    std::array<bool, 3> unknown{};
+    for (int k = 0; k < 3; ++k) unknown[static_cast<std::size_t>(k)] = !std::isfinite(coordinate(to, k));
+    return names_of(unknown);
+}
+
+}  // namespace
+
+shop::Home reference_point_of(const Reckoning& run, std::size_t axis) {
+    constexpr std::size_t rotary_from = 3;
+    return shop::home_of(run.env.machine, axis_name(axis), run.env.homes_at_zero && axis < rotary_from);
+}
+
+/// That depends on where the zero lies, which somebody has given.
+void tell_assumed_homes(Saying& run, const std::array<bool, 3>& axes) {
+    if (axes == std::array<bool, 3>{}) return;
+    assume(run, run.here(),
+           "no home of " + names_of(axes) + " is given: machine coordinate 0 is taken for it, as on most machines",
+           "give home of the axes in the machine file");
+}
+
+namespace {
 
 /// To the stored position with those axes that are named, or with all.
 void to_home(Moving& run, bool all) {
@@ -54,15 +78,20 @@ void to_home(Moving& run, bool all) {
     geom::Vec3 to = run.position;
     cl::MachinePlace place;
     place.kind = cl::PlaceKind::home;
+    std::array<bool, 3> assumed{};
     for (std::size_t k = 0; k < 9; ++k) {
         if (all ? is_absent(run, k) : !run.block.has(axis_code(static_cast<int>(k)))) continue;
-        const double home = home_of(run, k);
-        if (k < 3)
-            coordinate(to, static_cast<int>(k)) = home - machine_ahead(run, k), place.axes[k] = true,
-                           coordinate(place.to, static_cast<int>(k)) = home;
-        else if (run.extra_axes.contains(axis_name(k)))
+        const auto [home, is_assumed] = home_of(run, k);
+        if (k < 3) {
+            double& at = coordinate(to, static_cast<int>(k));
+            at = home - machine_ahead(run, k), place.axes[k] = true;
+            coordinate(place.to, static_cast<int>(k)) = home;
+            assumed[k] = is_assumed && std::isfinite(at);
+        } else if (run.extra_axes.contains(axis_name(k))) {
             emit_other_axis(run, k, home - o.reference[k]);
+        }
     }
+    tell_assumed_homes(run, assumed);
     place.number = static_cast<std::uint8_t>(std::clamp(run.block.special_number, 1, 9));
     if (!geom::is_finite(to))
         assume(run, run.here(),

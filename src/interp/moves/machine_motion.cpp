@@ -114,15 +114,18 @@ bool reference_point(Moving& run) {
     geom::Vec3 target = run.position;
     const bool fixed = run.block.special == Modal::fixed_point;
     cl::MachinePlace place{fixed ? cl::PlaceKind::fixed : cl::PlaceKind::home};
+    std::array<bool, 3> assumed{};
     for (int k = 0; k < 3; ++k) {
         if (!run.block.has(axis_code(k))) continue;
         run.block.use(axis_code(k));
-        place.axes[static_cast<std::size_t>(k)] = true;
-        const shop::MachineAxis* axis = machine_axis(run, std::string(1, "XYZ"[k]));
-        const bool home = run.block.special == Modal::reference_point && axis != nullptr && axis->home;
-        coordinate(target, k) = home ? from_machine(run, k, *axis->home) : unknown_number;
-        if (home) coordinate(place.to, k) = *axis->home;
+        const auto axis = static_cast<std::size_t>(k);
+        place.axes[axis] = true;
+        const shop::Home home = fixed ? shop::Home{} : reference_point_of(run, axis);
+        coordinate(target, k) = from_machine(run, k, home.at);
+        coordinate(place.to, k) = home.at;
+        assumed[axis] = home.is_assumed && std::isfinite(coordinate(target, k));
     }
+    tell_assumed_homes(run, assumed);
     if (!geom::is_finite(target) && fixed)
         assume(run, run.here(),
                "the fixed point of G75 is not known: moves to and from it are simulated as far as they are known");

@@ -4,6 +4,7 @@
 #include "interp/setup/setup.hpp"
 #include "path/arc_input.hpp"
 #include "path/element.hpp"
+#include "shop/home.hpp"
 
 namespace obrys::interp {
 
@@ -29,6 +30,10 @@ void set_pole(Moving&);
 /// G28, G30, G28.1, G30.1.
 void go_home(Moving&);
 void store_home(Moving&);
+/// The first reference point of an axis, 0 for X; NaN where nobody gives it or takes it for granted.
+[[nodiscard]] shop::Home reference_point_of(const Reckoning&, std::size_t axis);
+/// By axis: its home is taken for granted, and where the tool then stands in the workpiece follows from that.
+void tell_assumed_homes(Saying&, const std::array<bool, 3>& axes);
 
 // --- spline.cpp
 /// G5, G5.1, G5.2 … G5.3, G6.2.

@@ -56,9 +56,19 @@ double axis_coordinate(const Reckoning& run, std::size_t axis) {
 
 namespace {
 
+/// A length that nobody has given is compensated along the axis: how far the gauge point stands off is not known. The
+/// offset of a lathe's tool (T0101) lies along X and Z.
+bool is_length_unknown(const Reckoning& run, std::size_t axis) {
+    const Offsets& o = run.offsets;
+    const bool lathe = run.env.machine.kind == shop::MachineKind::lathe && run.traits->edge_is_offset_number;
+    if (lathe) return run.tools.empty() && run.tool.number != 0 && run.tool.edge != 0 && axis != 1 && axis < 3;
+    return o.is_not_given && o.length != Offsets::Length::none && axis == 2;
+}
+
 /// As machine_ahead, of a control whose offsets are kept in parameters.
 double kept_ahead(const Reckoning& run, std::size_t axis) {
     const Offsets& o = run.offsets;
+    if (is_length_unknown(run, axis)) return unknown_number;
     const bool known = run.datum_known && is_datum_given(run, axis) && o.given[axis];
     return known ? o.reference[axis] + tip_in_use(o)[axis] : unknown_number;
 }

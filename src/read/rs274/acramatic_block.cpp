@@ -11,6 +11,7 @@ namespace {
 constexpr std::uint64_t every_axis =
     bit(Code::x) | bit(Code::y) | bit(Code::z) | bit(Code::a) | bit(Code::b) | bit(Code::c);
 constexpr std::uint64_t feed_speed_tool = bit(Code::feed) | bit(Code::spindle) | bit(Code::tool);
+constexpr std::uint16_t retract = 26;  // M
 constexpr std::uint64_t centre_letters = bit(Code::i) | bit(Code::j) | bit(Code::k);
 
 /// `(PGM, NAME="X")` names the program; other blocks in brackets are not known.
@@ -59,6 +60,24 @@ void take_offset(State& s) {
     if (n && *n >= 1 && *n <= most)
         return add_modal(s, Order::datum, Modal::datum, before_first + *n, h->begin, h->end);
     add_problem(s, Code::unsupported, h->begin, h->end, "a fixture offset other than H1 to H9");
+}
+
+/// M26: Z goes up to the end of its travel, which is its reference point.
+void retract_block(AcramaticState& s) {
+    const auto m = std::find_if(s.words.begin(), s.words.end(), [](const BlockWord& w) {
+        return w.code == Code::modal && w.modal == Modal::reference_point;
+    });
+    const std::uint32_t begin = m->begin, end = m->end;
+    if ((s.facts.letters & ~feed_speed_tool) != 0 || s.facts.motion != nullptr || s.facts.has_g(40)) {
+        add_problem(s, Code::unsupported, begin, end, "M26 beside other motion: which of them is first is not known");
+        s.facts.refused = true;
+        return;
+    }
+    Value zero;
+    zero.literal.integer = true;
+    add_value(s, Order::value, Code::z, zero, begin, end);
+    note_assumption(s, begin, end, "M26 is taken to lead Z to its reference point, the upper end of its travel",
+                    "give home of Z in the machine file where that is known");
 }
 
 /// G4 F: seconds.
@@ -154,7 +173,9 @@ void read_acramatic_block(AcramaticState& s) {
     const bool cancels = s.facts.motion != nullptr && s.facts.motion->modal == Modal::canned_off;
     const bool moves =
         (s.facts.letters & ~feed_speed_tool) != 0 || (s.facts.motion != nullptr && s.facts.motion->use == Use::canned);
-    if (s.facts.has_g(40))
+    if (s.facts.has_m(retract, retract))
+        retract_block(s);
+    else if (s.facts.has_g(40))
         dwell_block(s);
     else if (cancels && moves)
         fail(s, s.line.begin(), s.line.end(), "coordinates beside G80: what they do there is not known",

@@ -56,6 +56,7 @@ void read_axis(const Value& v, base::Diagnostics& diagnostics, Machine& machine)
     axis.acceleration = s.number("acceleration", Range::positive);
     axis.jerk = s.number("jerk", Range::positive);
     axis.home = s.number("home");
+    axis.second_home = s.number("second_home");
     if (name) axis.name = base::to_upper(*name);
     read_direction(s, axis);
     s.finish();
