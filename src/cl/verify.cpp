@@ -132,6 +132,9 @@ void Verifier::check(const Record& r, const Spindle& s) {
         complain(r, base::codes::value_range, "spindle speed limit must be finite and not negative");
     if (s.direction < -1 || s.direction > 1)
         complain(r, base::codes::value_range, "spindle direction must be -1, 0 or 1");
+    if (s.held && s.direction != 0)
+        complain(r, base::codes::value_range, "a spindle that turns is not held at an angle");
+    if (s.held && std::isinf(*s.held)) complain(r, base::codes::value_range, "the spindle's angle is not finite");
 }
 
 void Verifier::check(const Record& r, const Datum& s) {
@@ -194,6 +197,8 @@ void Verifier::check(const Record& r, const PartEnd&) {
 void Verifier::check(const Record& r, const CompensationBegin& s) {
     if (compensation_) complain(r, base::codes::unclosed, "radius compensation begins while another one is in force");
     if (std::isinf(s.radius)) complain(r, base::codes::value_range, "the radius of a compensation is not finite");
+    if (!is_unit(s.normal))
+        complain(r, base::codes::value_range, "normal of a compensation's plane is not a unit vector");
     compensation_ = r;
 }
 

@@ -28,6 +28,21 @@ TEST(Verify, AGoodStreamPasses) {
               Codes{});
 }
 
+TEST(Verify, OnlyASpindleThatStandsIsHeld) {
+    EXPECT_EQ(complaints({Spindle{100, SpindleMode::rpm, 1, 0, 90}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spindle{100, SpindleMode::rpm, 0, 0, INFINITY}}), Codes{"value-range"});
+    EXPECT_EQ(complaints({Spindle{100, SpindleMode::rpm, 0, 0, 90}, Spindle{100, SpindleMode::rpm, 0, 0, NAN}}),
+              Codes{});
+}
+
+TEST(Verify, ACompensationActsInAPlane) {
+    CompensationBegin begin;
+    begin.normal = {0, 0, 2};
+    EXPECT_EQ(complaints({begin, CompensationEnd{}}), Codes{"value-range"});
+    begin.normal = {0, -1, 0};
+    EXPECT_EQ(complaints({begin, CompensationEnd{}}), Codes{});
+}
+
 TEST(Verify, ArcsMustEndOnTheirCircle) {
     const Linear start{{10, 0, 0}, {0, 0, 1}, true};
     EXPECT_EQ(complaints({start, Arc{{0, 10.02, 0}, {0, 0, 0}, {0, 0, 1}, geom::pi / 2}}), Codes{"arc-radius"});

@@ -223,9 +223,10 @@ bool makes_no_difference(const cl::Step& a, const cl::Step& b) {
                                                   std::isnan(*turning->held));  // a standing spindle has no speed
     const auto* cycle = std::get_if<cl::CycleBegin>(&a);
     const auto* cycle_b = std::get_if<cl::CycleBegin>(&b);
-    if (cycle != nullptr && cycle_b != nullptr) {  // remarks, and how it is called
+    if (cycle != nullptr && cycle_b != nullptr) {  // remarks
         cl::Cycle x = *cycle->cycle, y = *cycle_b->cycle;
-        return x.kind == y.kind && x.values == y.values && x.plane == y.plane && cycle->place == cycle_b->place;
+        return x.kind == y.kind && x.values == y.values && x.plane == y.plane && cycle->place == cycle_b->place &&
+               cycle->call == cycle_b->call && cycle->pass == cycle_b->pass && cycle->passes == cycle_b->passes;
     }
     const auto* side = std::get_if<cl::CompensationBegin>(&a);
     if (side != nullptr && std::holds_alternative<cl::CompensationBegin>(b)) {  // the radius says what it holds

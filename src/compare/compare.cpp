@@ -8,8 +8,9 @@ namespace obrys::compare {
 
 namespace {
 
-constexpr std::array<std::string_view, aspect_count> names{
-    "motion", "feed", "spindle", "coolant", "tool", "events", "datum", "frame", "tolerance", "cycles", "compensation"};
+constexpr std::array<std::string_view, aspect_count> names{"motion",       "feed",  "spindle",    "coolant",   "tool",
+                                                           "events",       "datum", "frame",      "tolerance", "cycles",
+                                                           "compensation", "parts", "preparation"};
 
 /// Moves, or what stands between them, with which one stream may run ahead of the other before that one is asked.
 constexpr std::size_t most_ahead = 256;
@@ -60,8 +61,9 @@ void Comparison::advance() {
     walk_->advance();
     for (const std::size_t side : {0U, 1U})
         if (own_[side])
-            own_[side]->forget(walk_->sides[side].number(), walk_->items[0].done(side), walk_->items[1].done(side),
-                               walk_->items[2].done(side));
+            own_[side]->forget(walk_->sides[side].number(),
+                               {walk_->items[0].done(side), walk_->items[1].done(side), walk_->items[2].done(side),
+                                walk_->items[3].done(side), walk_->items[4].done(side)});
 }
 
 Result Comparison::finish() { return walk_->finish(); }

@@ -1,7 +1,7 @@
 #pragma once
 /// Two streams held against each other: the same way of the tool, with the same feed, speed and all else that holds,
-/// and the same cycles, contours and frames. Where the source texts stand and how calls are nested does not count, nor
-/// at how many points a line or an arc is cut.
+/// and the same cycles, contours, frames, parts and preparations. Where the source texts stand does not count, nor at
+/// how many points a line or an arc is cut.
 
 #include <array>
 #include <cstddef>
@@ -27,7 +27,9 @@ enum class Aspect : std::uint8_t {
     frame,         ///< in which coordinates are programmed, while the tool moves
     tolerance,     ///< of the contour and how moves are joined, while the tool moves
     cycles,        ///< kinds, values and places
-    compensation,  ///< sides, radii, programmed elements and corners
+    compensation,  ///< sides, radii, programmed elements and corners, the control's own ways onto contours
+    parts,         ///< calls, labels and repetitions, and where they stand between the moves
+    preparation,   ///< the tool that will be wanted next, and where that is said
     count,
 };
 inline constexpr std::size_t aspect_count = static_cast<std::size_t>(Aspect::count);

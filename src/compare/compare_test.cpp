@@ -29,6 +29,54 @@ TEST(Compare, EachAspectIsSeen) {
               "frame");
 }
 
+TEST(Compare, PartsAndPreparationsAreSeenAndMoveNothing) {
+    const std::vector<cl::Step> flat{line(10), line(20)};
+    const auto called = [](std::uint64_t passes) {
+        return std::vector<cl::Step>{line(10), cl::PartBegin{cl::PartKind::call, "1", 1, passes}, line(20),
+                                     cl::PartEnd{}};
+    };
+    EXPECT_EQ(differences(flat, called(1)), "parts");
+    EXPECT_EQ(differences(called(1), flat), "parts");
+    EXPECT_EQ(differences(called(1), called(3)), "parts");
+    EXPECT_EQ(differences(called(3), called(3)), "");
+    EXPECT_EQ(differences(called(1), {line(10), cl::PartBegin{cl::PartKind::call, "1"}, line(20)}), "parts");
+    EXPECT_EQ(differences(called(1), {cl::PartBegin{cl::PartKind::call, "1"}, line(10), line(20), cl::PartEnd{}}),
+              "parts");
+    const std::vector<cl::Step> prepared{line(10), cl::ToolSelection{7, ""}, line(20)};
+    EXPECT_EQ(differences(flat, prepared), "preparation");
+    EXPECT_EQ(differences(prepared, {line(10), cl::ToolSelection{8, ""}, line(20)}), "preparation");
+    EXPECT_EQ(differences(prepared, {line(10), line(20), cl::ToolSelection{7, ""}}), "preparation");
+    EXPECT_EQ(differences(prepared, prepared), "");
+    EXPECT_FALSE(is_done(Aspect::parts) || is_done(Aspect::preparation));
+}
+
+TEST(Compare, HowCyclesAreCalledAndCompensationIsSaidIsSeen) {
+    const auto cycle = [](cl::CycleCall call, std::uint64_t pass, std::uint64_t passes) {
+        cl::CycleBegin begin;
+        begin.place = {10, 0, 0}, begin.call = call, begin.pass = pass, begin.passes = passes;
+        return std::vector<cl::Step>{line(10), begin, line(20), cl::CycleEnd{}};
+    };
+    const auto once = cycle(cl::CycleCall::single, 1, 1);
+    EXPECT_EQ(differences(once, cycle(cl::CycleCall::modal, 1, 1)), "cycles");
+    EXPECT_EQ(differences(once, cycle(cl::CycleCall::single, 1, 2)), "cycles");
+    EXPECT_EQ(differences(cycle(cl::CycleCall::single, 1, 2), cycle(cl::CycleCall::single, 2, 2)), "cycles");
+    std::vector<cl::Step> open = once;
+    open.pop_back();
+    EXPECT_EQ(differences(once, open), "cycles");
+    const auto given = [](bool is_given, std::uint32_t nose) {
+        cl::CompensationBegin begin;
+        begin.radius = 2, begin.given = is_given, begin.nose = nose;
+        return std::vector<cl::Step>{line(10), begin, line(20), cl::CompensationEnd{}};
+    };
+    EXPECT_EQ(differences(given(true, 0), given(false, 0)), "compensation");
+    EXPECT_EQ(differences(given(true, 2), given(true, 3)), "compensation");
+    EXPECT_EQ(differences({line(10), cl::LeadBegin{}, line(20), cl::LeadEnd{}}, {line(10), cl::LeadBegin{}, line(20)}),
+              "compensation");
+    cl::Datum by_word{500, {NAN, NAN, NAN}};
+    by_word.selected = true;
+    EXPECT_EQ(differences({cl::Datum{500, {NAN, NAN, NAN}}, line(10)}, {by_word, line(10)}), "datum");
+}
+
 TEST(Compare, OffsetsCountWhereTheirRadiiAreNotKnown) {
     const auto by = [](std::uint32_t offset, double radius) {
         cl::CompensationBegin begin;

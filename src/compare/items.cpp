@@ -115,8 +115,8 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
                   a.changes_side
                       ? "compensation changes its side in one block; in the other it ends before"
                       : "compensation ends before it begins anew; in the other it changes its side in one block");
-    if (aspect_ != Aspect::events) return;
-    compare_state(like, found);
+    if (aspect_ == Aspect::cycles || aspect_ == Aspect::compensation) return;  // they tell places of their own
+    if (aspect_ == Aspect::events) compare_state(like, found);
     over_ = sides_[0].at.front() != sides_[1].at.front();
     if (over_)
         found.add(aspect_, &a, &b, a.moves,

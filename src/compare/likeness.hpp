@@ -132,7 +132,7 @@ public:
                known(home.axes[0], home.to.x) && known(home.axes[1], home.to.y) && known(home.axes[2], home.to.z);
     }
     [[nodiscard]] bool operator()(const cl::Datum& a, const cl::Datum& b) const {
-        return a.number == b.number && place(a.origin, b.origin);
+        return a.number == b.number && a.selected == b.selected && place(a.origin, b.origin);
     }
     [[nodiscard]] bool affine(const geom::Frame& a, const geom::Frame& b) const {
         return place(a.origin, b.origin) &&
@@ -158,7 +158,8 @@ public:
     [[nodiscard]] bool operator()(const cl::CycleBegin& a, const cl::CycleBegin& b) const {
         const std::vector<cl::CycleValue>&v = a.cycle->values, &w = b.cycle->values;
         return a.cycle->kind == b.cycle->kind && place(a.place, b.place) && affine(a.cycle->plane, b.cycle->plane) &&
-               v.size() == w.size() && std::all_of(v.begin(), v.end(), [&](const cl::CycleValue& x) {
+               a.call == b.call && a.pass == b.pass && a.passes == b.passes && v.size() == w.size() &&
+               std::all_of(v.begin(), v.end(), [&](const cl::CycleValue& x) {
                    return std::any_of(w.begin(), w.end(), [&](const cl::CycleValue& y) {
                        return x.role == y.role && near(x.value, y.value, t_.length);
                    });
@@ -166,7 +167,8 @@ public:
     }
     [[nodiscard]] bool operator()(const cl::CompensationBegin& a, const cl::CompensationBegin& b) const {
         return a.side == b.side && near(a.radius, b.radius, t_.length) && a.approach == b.approach &&
-               a.sharp == b.sharp && direction(a.normal, b.normal) && !are_of_unknown_offsets(a, b);
+               a.sharp == b.sharp && direction(a.normal, b.normal) && a.given == b.given &&
+               (!a.given || a.nose == b.nose) && !are_of_unknown_offsets(a, b);
     }
     /// Radii that nobody knows, of offsets with other numbers (D11, D12). The number does not count where the radius is
     /// known, nor 0, by which some controls call what others number as the tool.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 #include <utility>
 
 #include "compare/near.hpp"
@@ -9,6 +10,31 @@
 namespace obrys::compare {
 
 namespace {
+
+template <class T, class... Kinds>
+concept one_of = (std::is_same_v<T, Kinds> || ...);
+
+/// What is compared of a record of each kind, and where. A kind that is not named here does not compile.
+enum class Role : std::uint8_t { move, holds, event, cycle, contour, part, preparation, remark };
+struct RoleOf {
+    Role operator()(const one_of<cl::Linear, cl::Arc, cl::Spline, cl::Thread> auto&) const { return Role::move; }
+    Role operator()(const one_of<cl::Feed, cl::Spindle, cl::Coolant, cl::ToolLength, cl::Datum, cl::Frame,
+                                 cl::Tolerance, cl::PathMode> auto&) const {
+        return Role::holds;
+    }
+    Role operator()(const one_of<cl::ToolChange, cl::ToolData, cl::Stop, cl::Dwell, cl::Auxiliary, cl::MachinePlace,
+                                 cl::DatumData, cl::Output, cl::Override> auto&) const {
+        return Role::event;
+    }
+    Role operator()(const one_of<cl::CycleBegin, cl::CycleEnd> auto&) const { return Role::cycle; }
+    Role operator()(const one_of<cl::CompensationBegin, cl::CompensationEnd, cl::Programmed, cl::LeadBegin,
+                                 cl::LeadEnd> auto&) const {
+        return Role::contour;
+    }
+    Role operator()(const one_of<cl::PartBegin, cl::PartEnd> auto&) const { return Role::part; }
+    Role operator()(const cl::ToolSelection&) const { return Role::preparation; }
+    Role operator()(const cl::Comment&) const { return Role::remark; }  // text without effect
+};
 
 /// A tool whose offset has its own number is the same as one whose first edge is named.
 cl::ToolChange tool_of(cl::ToolChange change) {
@@ -107,8 +133,8 @@ geom::Vec3 Path::as_said(geom::Vec3 to, const geom::Vec3& others) const {
 
 /// The axes of the program are not those of the workpiece.
 bool Path::is_turned() const {
-    const auto& parts = cursor_.state().frame.parts;
-    return !std::all_of(parts.begin(), parts.end(),
+    const auto& frames = cursor_.state().frame.parts;
+    return !std::all_of(frames.begin(), frames.end(),
                         [](const cl::FramePart& p) { return p.frame.linear == geom::Frame{}.linear; });
 }
 
@@ -116,9 +142,9 @@ bool Path::is_turned() const {
 /// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     const auto* line = std::get_if<cl::Linear>(&step);
-    const auto& parts = cursor_.state().frame.parts;
+    const auto& frames = cursor_.state().frame.parts;
     const bool by_control =
-        tilts_ && std::any_of(parts.begin(), parts.end(), [](const cl::FramePart& p) { return p.turn.by_control; });
+        tilts_ && std::any_of(frames.begin(), frames.end(), [](const cl::FramePart& p) { return p.turn.by_control; });
     const bool unknown = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z);
     const bool rapid = line != nullptr && line->rapid && line->seek == cl::Seek::nothing;
     // With another plane the axes count otherwise, and nobody knows the tip's place in it; the next move tells them.
@@ -236,7 +262,10 @@ void Path::take_axis(const cl::AxisEnd& axis) {
 }
 
 void Path::take_item(Kept<Item>& items, cl::Step step, const cl::Record& record) {
-    item_at_ = moves.size();
+    // An arc goes on behind the end of a bracket, or in another part of the program, as it does without them.
+    const bool parts_nothing = &items == &parts || &items == &preparations ||
+                               std::holds_alternative<cl::CycleEnd>(step) || std::holds_alternative<cl::LeadEnd>(step);
+    if (!parts_nothing) item_at_ = moves.size();
     const bool is_event = &items == &events;
     if (std::holds_alternative<cl::CompensationBegin>(step) && !items.none_left()) {
         Item& last = items.back();
@@ -272,13 +301,16 @@ void Path::take(const cl::Record& record) {
         hold();
         events.back().holding = holding_;
     }
-    if (std::holds_alternative<cl::CycleBegin>(step))
-        take_item(cycles, step, record);
-    else if (std::holds_alternative<cl::CompensationBegin>(step) || std::holds_alternative<cl::CompensationEnd>(step) ||
-             std::holds_alternative<cl::Programmed>(step) || std::holds_alternative<cl::LeadBegin>(step))
-        take_item(contours, step, record);
-    else
-        take_event(record);
+    switch (std::visit(RoleOf{}, step)) {
+        case Role::cycle: return take_item(cycles, step, record);
+        case Role::contour: return take_item(contours, step, record);
+        case Role::part: return take_item(parts, step, record);
+        case Role::preparation: return take_item(preparations, step, record);
+        case Role::event: return take_event(record);
+        case Role::move:  // has been taken
+        case Role::holds:
+        case Role::remark: return;
+    }
 }
 
 /// What the block of the move said, which counts where the move does.
@@ -310,11 +342,6 @@ void Path::take_event(const cl::Record& record) {
             called_again = Item{now, record.from, record.stack, moves.size()};
         if (same || change->standing) return;
         step = now;
-    } else if (!std::holds_alternative<cl::Stop>(step) && !std::holds_alternative<cl::Dwell>(step) &&
-               !std::holds_alternative<cl::Auxiliary>(step) && !std::holds_alternative<cl::MachinePlace>(step) &&
-               !std::holds_alternative<cl::DatumData>(step) && !std::holds_alternative<cl::Output>(step) &&
-               !std::holds_alternative<cl::Override>(step)) {
-        return;
     }
     hold();
     const auto* place = std::get_if<cl::MachinePlace>(&step);

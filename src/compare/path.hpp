@@ -1,6 +1,7 @@
 #pragma once
 /// A stream as far as it is compared: its moves with what holds there, and what stands between them.
 
+#include <array>
 #include <map>
 #include <memory>
 #include <optional>
@@ -59,16 +60,28 @@ public:
         : same_place_(same_place), is_axis_by_axis_(is_axis_by_axis), joins_freely_(joins_freely) {}
     void take(const cl::Record& record);
     /// Who compares as the records come has done with those before.
-    void forget(std::size_t move, std::size_t event, std::size_t cycle, std::size_t contour) {
-        moves.forget(move), events.forget(event), cycles.forget(cycle), contours.forget(contour);
+    void forget(std::size_t move, const std::array<std::size_t, 5>& items) {
+        moves.forget(move), events.forget(items[0]), cycles.forget(items[1]), contours.forget(items[2]);
+        parts.forget(items[3]), preparations.forget(items[4]);
+    }
+    /// What stands between the moves, by aspects.
+    [[nodiscard]] std::array<const Kept<Item>*, 5> items() const {
+        return {&events, &cycles, &contours, &parts, &preparations};
     }
 
-    Kept<Move> moves;                     ///< the last may go on while records come
-    bool compensates_length = false;      ///< anywhere
-    bool has_several_tools = false;       ///< that move
-    std::size_t calls_again = 0;          ///< of a tool that is in the spindle, by which nothing of it changes
-    std::optional<Item> called_again;     ///< the first of them
-    Kept<Item> events, cycles, contours;  ///< as moves
+    /// How many items of each aspect there are.
+    [[nodiscard]] std::array<std::size_t, 5> all_items() const {
+        std::array<std::size_t, 5> out{};
+        for (std::size_t i = 0; i < out.size(); ++i) out[i] = items()[i]->size();
+        return out;
+    }
+
+    Kept<Move> moves;                  ///< the last may go on while records come
+    bool compensates_length = false;   ///< anywhere
+    bool has_several_tools = false;    ///< that move
+    std::size_t calls_again = 0;       ///< of a tool that is in the spindle, by which nothing of it changes
+    std::optional<Item> called_again;  ///< the first of them
+    Kept<Item> events, cycles, contours, parts, preparations;  ///< as moves
 
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);

@@ -151,7 +151,7 @@ inline void AnyStream::cut_arc(Steps& out, const cl::Arc& arc, const geom::Vec3&
 }
 
 inline Steps AnyStream::cut(const Steps& steps, std::size_t one_of) {
-    static const Steps remarks = steps_of({"comment \"x\"", "next-tool 9 \"\"", "call \"L\" pass 1 of 1", "part-end"});
+    static const Steps remarks = steps_of({"comment \"x\"", "comment \"another\""});
     Steps out;
     std::optional<geom::Vec3> at;
     std::optional<cl::Step> modal;

@@ -56,7 +56,8 @@ Walk::Walk(const Path& a, const Path& b, const Tolerance& t)
     : like(t),
       sides{Follower(a), Follower(b)},
       items{ItemPairs(Aspect::events, a.events, b.events), ItemPairs(Aspect::cycles, a.cycles, b.cycles),
-            ItemPairs(Aspect::compensation, a.contours, b.contours)} {}
+            ItemPairs(Aspect::compensation, a.contours, b.contours), ItemPairs(Aspect::parts, a.parts, b.parts),
+            ItemPairs(Aspect::preparation, a.preparations, b.preparations)} {}
 
 void Walk::compare_items(bool ended) {
     if (std::none_of(items.begin(), items.end(), [](const ItemPairs& pairs) { return pairs.any_waits(); })) return;
@@ -66,7 +67,7 @@ void Walk::compare_items(bool ended) {
         here[side] = s.has_piece() || s.is_over();
         if (s.is_begun()) continue;  // all has been placed where the move began
         const Path& p = s.path();
-        const std::array<const Kept<Item>*, 3> lists{&p.events, &p.cycles, &p.contours};
+        const auto lists = p.items();
         for (std::size_t i = 0; i < items.size(); ++i) {
             const Kept<Item>& list = *lists[i];
             const bool open = !s.ended() && !list.none_left() && list.back().moves == p.moves.size();

@@ -48,7 +48,7 @@ struct Walk {
 
     Likeness like;
     std::array<Follower, 2> sides;
-    std::array<ItemPairs, 3> items;
+    std::array<ItemPairs, 5> items;
 
 private:
     [[nodiscard]] bool pass_alike();
@@ -74,7 +74,7 @@ private:
     std::optional<std::size_t> differs_at_;  ///< first move that does
     std::optional<std::size_t> lone_at_;     ///< first move that has none beside it
     Found firm_, behind_, lone_;
-    std::array<Found, 3> between_;  ///< moves: of each of `items`
+    std::array<Found, 5> between_;  ///< moves: of each of `items`
     std::shared_ptr<const Holding> last_a_, last_b_;
 };
 

@@ -21,7 +21,7 @@ public:
         if (session.main != nullptr)
             run_.emplace(session, sink_);
         else
-            text_.emplace(session.sources, 0, session.diagnostics);
+            text_.emplace(session);
     }
     /// False behind the last.
     bool step() {
@@ -61,7 +61,7 @@ private:
     Session& session_;
     std::function<void(const cl::Record&)> sink_;
     std::optional<Interpretation> run_;
-    std::optional<cl::TextReader> text_;
+    std::optional<StreamReader> text_;
     std::vector<Noted> noted_;
     std::size_t moves_ = 0, repeats_at_ = 0;
     bool repeats_ = false;

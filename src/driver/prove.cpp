@@ -23,8 +23,10 @@ namespace {
 void complain_of(Session& s, const compare::Result& result, const Session& run) {
     for (const compare::Difference& difference : result.first) {
         const bool done = difference.is_done;
-        // A cycle that stands in the place of another, as the ledger says: it would be told in two controls' words.
-        if (difference.aspect == compare::Aspect::cycles && difference.in_a && difference.in_b) continue;
+        // A cycle or a call in the place of another, as the ledger says: it would be told in two controls' words.
+        const bool by_ledger =
+            difference.aspect == compare::Aspect::cycles || difference.aspect == compare::Aspect::parts;
+        if (by_ledger && difference.in_a && difference.in_b) continue;
         base::Diagnostic d;
         d.severity = done ? base::Severity::error : base::Severity::note;
         d.code = done ? codes::runs_otherwise : codes::written_by_moves;
@@ -188,8 +190,7 @@ std::size_t records_to(std::size_t move, const cl::Recording& stream, double sam
     std::size_t records = 0;
     while (path.moves.size() <= move && playback.step([&](const cl::Record& record) { path.take(record); })) {
         ++records;
-        path.forget(path.moves.size() - std::min<std::size_t>(path.moves.size(), 1), path.events.size(),
-                    path.cycles.size(), path.contours.size());
+        path.forget(path.moves.size() - std::min<std::size_t>(path.moves.size(), 1), path.all_items());
     }
     return records;
 }

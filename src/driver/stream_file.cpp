@@ -1,6 +1,7 @@
 #include "driver/stream_file.hpp"
 
 #include <fstream>
+#include <utility>
 
 #include "driver/files.hpp"
 #include "driver/session_files.hpp"
@@ -27,9 +28,33 @@ bool open_stream(const Request& request, Session& session) {
     return true;
 }
 
+StreamReader::StreamReader(Session& session) : session_(session), reader_(session.sources, 0, session.diagnostics) {}
+
+bool StreamReader::step(cl::Sink sink) {
+    const bool more = reader_.step([&](const cl::Record& record) {
+        placed_ = record;  // mostly a move behind a move: nothing is allocated
+        placed_.from = reader_.line();
+        placed_.stack = 0;
+        verifier_(placed_);
+        hand_on();
+        sink(record);
+    });
+    if (!more && !std::exchange(ended_, true)) verifier_.finish(), hand_on();
+    return more;
+}
+
+void StreamReader::hand_on() {
+    for (; handed_on_ < found_.all().size(); ++handed_on_) {
+        base::Diagnostic d = found_.all()[handed_on_];
+        d.text = "no stream of a program holds this: " + d.text;
+        d.remedy = "write the stream anew (obrys run --format text), or mend this line";
+        session_.diagnostics.add(std::move(d));
+    }
+}
+
 interp::Outcome stream_of(Session& session, cl::Sink sink) {
     if (session.main != nullptr) return interpret(session, sink);
-    cl::TextReader reader(session.sources, 0, session.diagnostics);
+    StreamReader reader(session);
     cl::Record placed;
     base::Span of_program, here;  // the places of a program that is not at hand: records of one block stay together
     const auto place = [&](const cl::Record& record) {

@@ -214,6 +214,7 @@ void BlockWords::take(Code code, ExprId id, const Text& v) {
         case Code::spindle: speed_ = v; return;
         case Code::speed_limit: limit_ = v; return;
         case Code::tool: tool_ = v; return;
+        case Code::tool_definition: prepares_ = true; return;
         case Code::edge: edge_ = v; return;
         case Code::tool_change:
             change_ = true;

@@ -74,7 +74,8 @@ private:
     std::optional<program::Modal> frame_;  ///< G52, G68, G69: the whole block is theirs
     std::optional<int> datum_;
     bool machine_ = false;  ///< G53: coordinates of the machine, which what holds the tool goes to
-    bool dwell_ = false, length_ = false, length_off_ = false, change_ = false, joined_offset_ = false;
+    bool dwell_ = false, length_ = false, length_off_ = false, change_ = false, prepares_ = false,
+         joined_offset_ = false;
     std::vector<Axis> axes_;
     std::vector<std::pair<std::size_t, Text>> centre_;  ///< 0: along X
     bool centre_counts_on_ = true;                      ///< from the arc's start; else it has coordinates

@@ -80,6 +80,7 @@ void BlockWords::function_behind(int m) {
 }
 
 void BlockWords::tool() {
+    if (prepares_) return;  // a magazine makes it ready, and nothing else follows
     const bool on_m6 = std::find(m_.begin(), m_.end(), 6) != m_.end();
     if (tool_ && !change_ && !on_m6 && w_.tools_wait()) {
         w_.prepared_edge = edge_;

@@ -60,6 +60,7 @@ void set_tools(Held& h, const Unit& unit, std::uint32_t statement, bool tools_wa
     for (std::uint32_t w = unit.statements[statement].first; w < unit.words_end(statement); ++w) {
         const program::Word& word = unit.words[w];
         switch (program::code_of(word)) {
+            case program::Code::tool_definition: return;  // TOOL DEF 5 changes no tool
             case program::Code::tool: tool = number_said(unit, word); break;
             case program::Code::tool_change:
                 change = program::is_literal(word) ? number_said(unit, word) / 100 : nowhere;

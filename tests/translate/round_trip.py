@@ -215,6 +215,9 @@ def main():
     parser.add_argument("--only", default="")
     parser.add_argument("--write", help="file of the tables")
     parser.add_argument("--known", help="file of cases that differ, with why: no other one may, and each of them must")
+    parser.add_argument("--classes", help="file of the class of every golden and example: each has to be in that one")
+    parser.add_argument("--write-classes", help="writes that file")
+    parser.add_argument("--page", help="docs/round-trips.md: its shares have to be those that are measured")
     arguments = parser.parse_args()
     obrys = str(pathlib.Path(arguments.obrys).resolve())
     groups = {}
@@ -236,11 +239,19 @@ def main():
     for name, group in groups.items():
         total, equal, same = summary(group)
         if total:
-            print(f"{name}: {equal + same} of {total} programs that run without a complaint and move do the same, written "
-                  f"anew: {share(equal + same, total)}; {equal} say it the same way, too")
+            print(f"{name}: {total} programs run without a complaint and move; written anew {equal} are equal, every record: "
+                  f"{share(equal, total)}; {equal + same} do the same: {share(equal + same, total)}")
     if arguments.write:
         pathlib.Path(arguments.write).write_text(round_trip_table.page(groups, known_reasons(arguments.known)), encoding="utf-8")
-    return held_to(arguments.known, outcomes) if arguments.known else 0
+    if arguments.write_classes:
+        pathlib.Path(arguments.write_classes).write_text(written_classes(groups[OWN]), encoding="utf-8")
+    faults = held_to(arguments.known, outcomes) if arguments.known else []
+    if arguments.classes:
+        faults += held_to_classes(arguments.classes, groups[OWN], whole=not arguments.only)
+    if arguments.page:
+        faults += held_to_page(arguments.page, {OWN: groups[OWN]})
+    print("\n".join(faults))
+    return 1 if faults else 0
 
 
 def known_reasons(path):
@@ -250,16 +261,63 @@ def known_reasons(path):
                 if line and not line.startswith("#"))
 
 
+def classes_in(path):
+    """{case: class} as they are written down; cases that are equal and run without a complaint stand there, too."""
+    lines = pathlib.Path(path).read_text(encoding="utf-8").splitlines()
+    return dict(line.rsplit(": ", 1) for line in lines if line and not line.startswith("#"))
+
+
+CLASSES_HEAD = """# What becomes of every golden that is written anew for its own control. round_trip.py holds exactly these: a case
+# that becomes worse is a fault, and one that becomes better is written down anew (--write-classes).
+"""
+
+
+def class_name(o):
+    return f"{o.kind} in {o.aspect.split()[0]}" if o.aspect else o.kind
+
+
+def written_classes(outcomes):
+    return CLASSES_HEAD + "".join(f"{o.name}: {class_name(o)}\n" for o in sorted(outcomes, key=lambda o: o.name))
+
+
+def held_to_classes(path, outcomes, whole):
+    """What is not as it is written down; `whole`: cases that are written down have to be there."""
+    wanted, found = classes_in(path), {o.name: o for o in outcomes}
+    faults = [f"{name}: {class_name(o)}; written down: {wanted.get(name, 'nothing')} ({o.what})"
+              for name, o in found.items() if class_name(o) != wanted.get(name)]
+    return faults + [f"{name} is written down and is no case" for name in wanted if whole and name not in found]
+
+
+def shares_in(page):
+    """The two shares of each group of a page of tables: {title: (equal, same, of)}"""
+    found = re.findall(r"(?m)^## (.*)$|^Of (\d+) programs that run and move, (\d+) are equal .* and (\d+) do the same", page)
+    out, title = {}, ""
+    for heading, of, equal, same in found:
+        title = heading or title
+        if of:
+            out[title] = (int(equal), int(same), int(of))
+    return out
+
+
+def held_to_page(path, groups):
+    """The shares of the page are those that were measured, of every group that was."""
+    shown = shares_in(pathlib.Path(path).read_text(encoding="utf-8"))
+    faults = []
+    for title, group in groups.items():
+        total, equal, same = summary(group)
+        if total and shown.get(title) != (equal, equal + same, total):
+            faults.append(f"{path}: {title}: {shown.get(title)}; measured {(equal, equal + same, total)}")
+    return faults
+
+
 def held_to(known, outcomes):
     """0 where exactly the known cases differ."""
     reasons = known_reasons(known)
     differ = {o.name: o.what for o in outcomes if o.kind in ("DIFFERS", "not read again", "no answer", "timeout")}
     faults = [f"{name} differs: {what}" for name, what in differ.items() if name not in reasons]
     there = {o.name for o in outcomes}
-    faults += [f"{name} is said to differ ({why}) and does not" for name, why in reasons.items()
-               if name not in differ and (name in there or name.endswith(".txt"))]
-    print("\n".join(faults))
-    return 1 if faults else 0
+    return faults + [f"{name} is said to differ ({why}) and does not" for name, why in reasons.items()
+                     if name not in differ and (name in there or name.endswith(".txt"))]
 
 
 if __name__ == "__main__":

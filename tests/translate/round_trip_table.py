@@ -8,8 +8,8 @@ Programs written anew for their own control, and the stream of what was written 
 
 | word | means |
 |---|---|
-| equal | every record is there again: moves, feeds, spindle, coolant, tools, events, and also cycles, calls, frames and compensation |
-| done the same | the machine does the same; something is said otherwise: a cycle by its moves, a frame by workpiece coordinates |
+| equal | every record is there again: moves, feeds, spindle, coolant, tools, events, and also cycles, calls, prepared tools, frames and compensation |
+| done the same | the machine does the same; something is said otherwise: a cycle by its moves, a call by its blocks, a frame by workpiece coordinates |
 | lost | something has no word in the post: the translation says what and by name, and writes nothing without `--accept-loss` |
 | not known | it depends on a value that nobody knows (a parameter that is not set, a place no block has given), so that there is no word to write |
 | stops | the program itself stops with an alarm or is passed by in part |
@@ -35,12 +35,16 @@ def row(name, cells):
     return f"| {name} | " + " | ".join(str(c) if c else "" for c in cells) + " |"
 
 
+def percent(part, outcomes):
+    return f"{100 * part / len(outcomes):.1f} %" if outcomes else ""
+
+
 def counts(outcomes):
     kinds = collections.Counter("lost" if o.kind == "lost, said" else o.kind for o in outcomes)
     same = sum(kinds[k] for k in SAME)
     other = len(outcomes) - sum(kinds[k] for k in (*SAME, "lost", "not known", "stops"))
-    share = f"{100 * same / len(outcomes):.1f} %" if outcomes else ""
-    return [len(outcomes), kinds["equal"], kinds["done the same"], kinds["lost"], kinds["not known"], kinds["stops"], other, share]
+    return [len(outcomes), kinds["equal"], kinds["done the same"], kinds["lost"], kinds["not known"], kinds["stops"], other,
+            percent(kinds["equal"], outcomes), percent(same, outcomes)]
 
 
 def cause_of(o):
@@ -54,7 +58,7 @@ def cause_of(o):
 
 def page(groups, reasons):
     out = [HEAD]
-    head = ["programs", "equal", "done the same", "lost", "not known", "stops", "differ", "the same"]
+    head = ["programs", "equal", "done the same", "lost", "not known", "stops", "differ", "every record", "the same"]
     for title, outcomes in groups.items():
         unread = [o for o in outcomes if o.kind == NOT_READ]
         outcomes = [o for o in outcomes if o.kind != NOT_READ]
@@ -69,6 +73,11 @@ def page(groups, reasons):
         for kind in (RUNS, COMPLAINS, NOTHING):
             part = [o for o in outcomes if class_of(o) == kind]
             out.append(row(f"**all, {kind}**", counts(part)))
+        part = [o for o in outcomes if class_of(o) == RUNS]
+        if part:
+            equal, same = sum(o.kind == "equal" for o in part), sum(o.kind in SAME for o in part)
+            out.append(f"\nOf {len(part)} programs that run and move, {equal} are equal in every record ({percent(equal, part)}) "
+                       f"and {same} do the same ({percent(same, part)}).")
         if unread:
             out.append(f"\nBesides, {len(unread)} files are not there: of formats that no post writes (APT, Fusion's), or what cannot be read at all.")
         left = [o for o in outcomes if o.kind not in SAME]

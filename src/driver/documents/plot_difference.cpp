@@ -20,8 +20,7 @@ report::PathPlot plot_of(const ComparedSide& side, std::size_t number, report::P
     static_cast<void>(run_anew(side.session, side.request, [&](const cl::Record& record) {
         path.take(record);
         const std::size_t count = path.moves.size();
-        path.forget(count - std::min<std::size_t>(count, 1), path.events.size(), path.cycles.size(),
-                    path.contours.size());
+        path.forget(count - std::min<std::size_t>(count, 1), path.all_items());
         plotter.show(count + shown_around > number && count <= number + shown_around);
         plotter(record);
         const auto step = cursor.take(record);
@@ -51,7 +50,8 @@ std::optional<report::PathPlot> plot_difference(const ComparedSide& a, const Com
     plot.contour.clear();
     plot.parting = at_a ? at_a : at_b.value_or(geom::Vec3{NAN, NAN, NAN});
     plot.program = line_of(a.session, first->in_a) + " and " + line_of(b.session, first->in_b) +
-                   ": the first move that differs, with up to " + std::to_string(shown_around) + " before and behind it";
+                   ": the first move that differs, with up to " + std::to_string(shown_around) +
+                   " before and behind it";
     plot.difference = "Move " + std::to_string(first->move) + ": " + first->what + ". All figures in mm" +
                       (lathe ? ", X is a radius." : ".");
     return plot;

@@ -96,15 +96,11 @@ void define_tool(Moving& run) {
     if (b.has(Code::tool_length)) found->length = b.get(Code::tool_length) * unit;
     if (b.has(Code::tool_radius)) found->radius = b.get(Code::tool_radius) * unit;
     if (b.has(Code::tool_radius)) found->has_no_radius = found->radius == 0;
-    const bool dimensions = b.has(Code::tool_length) || b.has(Code::tool_radius);
     cl::ToolData data{number, edge, {}, {}};
     if (b.has(Code::tool_length)) data.length = found->length;
     if (b.has(Code::tool_radius)) data.radius = found->radius;
-    if (!dimensions)
-        emit(run, cl::ToolSelection{number, {}});
-    else if (!run.traits->definitions_describe)
-        emit(run, data);
-    if (dimensions && run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
+    if (!run.traits->definitions_describe) emit(run, data);
+    if (run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
     run.tool.data = find_tool(run, run.tool);
 }
 
@@ -224,6 +220,21 @@ std::optional<bool> take_edge(Moving& run, bool calls_tool) {
     return other && !uncalled;
 }
 
+/// A definition that says nothing of the tool: a magazine makes it ready (TOOL DEF 5), and nothing else follows.
+void prepare_tool(Moving& run) {
+    const BlockWords& b = run.block;
+    if (!b.has(Code::tool)) return;
+    if (b.tool_named) return emit(run, cl::ToolSelection{0, b.tool_name});
+    const double n = b.get(Code::tool);
+    if (std::isnan(n))
+        return unchecked(run, codes::unknown_value, run.here(),
+                         "which tool is made ready here depends on a value that is not known");
+    const auto id = tool_number(run, n);
+    if (!id)
+        return alarm(run, codes::value_range, run.here(), "TOOL DEF " + printed(Value::real(n)) + " is no tool number");
+    emit(run, cl::ToolSelection{id->first, {}});
+}
+
 }  // namespace
 
 void select_tool(Moving& run) {
@@ -232,6 +243,7 @@ void select_tool(Moving& run) {
     bool changed = false, replaced = false;
     const std::pair before{run.tool.number, run.tool.name};
     if (b.has(Code::tool_definition)) {
+        if (!b.has(Code::tool_length) && !b.has(Code::tool_radius)) return prepare_tool(run);
         define_tool(run);
         control_sets(run, {ControlValue::tool_radius, ControlValue::tool_length});
         return;

@@ -134,7 +134,7 @@ void read_m(State& s, std::uint32_t begin);                     ///< m_word.cpp:
 void read_tool_block(State& s, std::uint32_t begin);            ///< tool_block.cpp
 void read_tool(State& s);                                       ///< its number, name or parameter, where one stands
 void read_oversize(State& s, std::uint32_t begin);              ///< DL, DR, DR2
-void preselect_tool(State& s, std::uint32_t begin);             ///< the next tool's number is of no interest
+void preselect_tool(State& s, std::uint32_t begin);             ///< the next tool, which is made ready
 bool read_function(State& s);                                   ///< function.cpp: FN n:
 /// The Klartext form behind FN n:, a statement for it included.
 void read_numbered(State& s, int n, std::uint32_t begin);

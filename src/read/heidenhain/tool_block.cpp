@@ -15,10 +15,7 @@ void read_tool(State& s) {
     }
 }
 
-void preselect_tool(State& s, std::uint32_t begin) {
-    s.build.ignored("TOOL DEF with a number alone (tool preselection)", begin, s.in.at());
-    s.build.unit().words.resize(s.build.unit().statements.back().first);
-}
+void preselect_tool(State& s, std::uint32_t begin) { s.build.bare(Code::tool_definition, begin, s.in.at()); }
 
 void read_oversize(State& s, std::uint32_t begin) {
     s.in.step();
