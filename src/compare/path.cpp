@@ -2,39 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <type_traits>
 #include <utility>
 
 #include "compare/near.hpp"
+#include "compare/role.hpp"
 
 namespace obrys::compare {
 
 namespace {
-
-template <class T, class... Kinds>
-concept one_of = (std::is_same_v<T, Kinds> || ...);
-
-/// What is compared of a record of each kind, and where. A kind that is not named here does not compile.
-enum class Role : std::uint8_t { move, holds, event, cycle, contour, part, preparation, remark };
-struct RoleOf {
-    Role operator()(const one_of<cl::Linear, cl::Arc, cl::Spline, cl::Thread> auto&) const { return Role::move; }
-    Role operator()(const one_of<cl::Feed, cl::Spindle, cl::Coolant, cl::ToolLength, cl::Datum, cl::Frame,
-                                 cl::Tolerance, cl::PathMode> auto&) const {
-        return Role::holds;
-    }
-    Role operator()(const one_of<cl::ToolChange, cl::ToolData, cl::Stop, cl::Dwell, cl::Auxiliary, cl::MachinePlace,
-                                 cl::DatumData, cl::Output, cl::Override> auto&) const {
-        return Role::event;
-    }
-    Role operator()(const one_of<cl::CycleBegin, cl::CycleEnd> auto&) const { return Role::cycle; }
-    Role operator()(const one_of<cl::CompensationBegin, cl::CompensationEnd, cl::Programmed, cl::LeadBegin,
-                                 cl::LeadEnd> auto&) const {
-        return Role::contour;
-    }
-    Role operator()(const one_of<cl::PartBegin, cl::PartEnd> auto&) const { return Role::part; }
-    Role operator()(const cl::ToolSelection&) const { return Role::preparation; }
-    Role operator()(const cl::Comment&) const { return Role::remark; }  // text without effect
-};
 
 /// A tool whose offset has its own number is the same as one whose first edge is named.
 cl::ToolChange tool_of(cl::ToolChange change) {
