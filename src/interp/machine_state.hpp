@@ -107,6 +107,7 @@ struct StreamFrame {
     std::uint32_t open_cycles = 0;       ///< brackets
     cl::ToolLength length;
     std::optional<cl::PathMode> path;
+    cl::Feed feed{};  ///< the last one, of no corner alone; 0: none yet
 };
 
 }  // namespace obrys::interp

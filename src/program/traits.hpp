@@ -102,7 +102,7 @@ struct Traits {
     bool edge_is_offset_number = false;
     /// F and S beside the word of a dwell are its seconds and its revolutions; else they are feed and speed.
     bool dwell_in_feed_words = true;
-    /// A tool change stops the spindle on every machine, also where the tool is in the spindle already.
+    /// A tool change stops the spindle whatever the machine, also where the tool is in the spindle already.
     bool tool_change_stops_spindle = false;
     /// A tool definition says what the tool is and sets nothing on the control; else it writes the tool table.
     bool definitions_describe = false;

@@ -43,7 +43,9 @@ void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true)
 
 void approach(Course& c, const Hole& h) {
     if (h.rise_first && !h.risen && c.at().z < h.retract) rapid_to_w(c, h.retract);
-    if (!h.called_here) c.straight({h.target.x, h.target.y, h.rise_first ? std::max(c.at().z, h.end) : c.at().z}, true);
+    // LinuxCNC crosses at its own height where it stands above the retract plane, else where the cycle will end.
+    const double across = h.rise_first && !(c.at().z > h.retract) ? h.end : c.at().z;
+    if (!h.called_here) c.straight({h.target.x, h.target.y, across}, true);
     c.over_place();
     if (c.at().z != h.retract) rapid_to_w(c, h.retract);
 }

@@ -2,6 +2,7 @@
 /// calls in the same order, in all planes, both units, from above and below the retract plane.
 
 #include <map>
+#include <optional>
 
 #include "cycles/hole/hole_testing.hpp"
 #include "cycles/rs274_testing.hpp"
@@ -110,19 +111,39 @@ private:
         const double r = pick(-2, 3), bottom = random_.upto(9) == 0 ? r : pick(-8, -2);
         lines_ += to_initial ? "g98" : "g99";
         const Kind kind = motion(r, bottom);
+        hole(kind, r, bottom, to_initial ? std::optional(w * unit_) : std::nullopt, 1);
+        if (kind == Kind::canned_drill && lines_.find(" g81", lines_.rfind("g9")) != std::string::npos)
+            go_on(w * unit_);
+    }
+    /// Further holes of a G81, whose retract planes lie above and below the tool and the level of the series.
+    void go_on(double initial) {
+        for (std::uint32_t more = random_.upto(3); more > 0; --more) {
+            values_.clear();
+            const bool to_initial = random_.upto(1) == 0;
+            lines_ += to_initial ? "g98" : "g99";
+            const double r = pick(-4, 10);
+            if (initial < r * unit_) {  // before each line whose R lies above where the series began
+                situation_.at.z = r * unit_;
+                step(cl::Linear{.to = situation_.at, .rapid = true});
+            }
+            hole(Kind::canned_drill, r, pick(-8, -4), to_initial ? std::optional(initial) : std::nullopt, 2);
+        }
+    }
+    /// The rest of the line, and its calls; `initial`: G98 goes back to it.
+    void hole(Kind kind, double r, double bottom, std::optional<double> initial, double rise) {
         const double targets[] = {pick(-5, 5), pick(-5, 5)};
         letter("xyz"[plane_.u], Role::target_u, targets[0]);
         letter("xyz"[plane_.v], Role::target_v, targets[1]);
         letter("xyz"[plane_.w], Role::bottom, bottom);
         letter('r', Role::retract_plane, r);
-        plain(Role::rise_first, 1);
-        if (to_initial) values_.push_back({Role::return_level, std::max(r * unit_, situation_.at.z)});
+        plain(Role::rise_first, rise);
+        const double end = initial ? std::max(r * unit_, *initial) : r * unit_;
+        if (initial) values_.push_back({Role::return_level, end});
         lines_ += "\n";
         const Expansion e = expand_hole({kind, values_}, situation_);
         if (!e.ok()) ours_.calls.push_back({"complaint: " + complaints(e), {}});
         for (const cl::Step& s : e.steps) step(s);
-        situation_.at = {targets[0] * unit_, targets[1] * unit_,
-                         to_initial ? std::max(r * unit_, situation_.at.z) : r * unit_};
+        situation_.at = {targets[0] * unit_, targets[1] * unit_, end};
     }
 
     Kind motion(double r, double bottom) {

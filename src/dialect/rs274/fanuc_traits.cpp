@@ -196,7 +196,8 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.guessed_machine = lathe ? program::GuessedMachine::lathe : program::GuessedMachine::mill;
     if (lathe) t.live = lathe_live;
     t.edge_is_offset_number = lathe;
-    t.offset_numbers_stay = !lathe;  // on lathes T says the offset
+    t.tool_change_stops_spindle = !lathe;  // M6 orients it, whichever tool comes
+    t.offset_numbers_stay = !lathe;        // on lathes T says the offset
     t.radius_before_centre = true;
     return t;
 }

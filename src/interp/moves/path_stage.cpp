@@ -82,10 +82,8 @@ path::CornerRequest PathStage::corner_request(Moving& run) {
         return {};
     }
     if (b.has(Code::corner_feed)) b.use(Code::corner_feed);
-    if (const double feed = corner_feed(run); r.kind != path::CornerKind::none && feed > 0 && run.feed_valid) {
-        r.before.push_back(feed_event(run, feed));
-        r.after.push_back(feed_event(run, run.feed));
-    }
+    if (const double feed = corner_feed(run); r.kind != path::CornerKind::none && feed > 0 && run.feed_valid)
+        put_corner_feed(run, feed, r);
     return r;
 }
 

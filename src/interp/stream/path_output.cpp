@@ -22,8 +22,17 @@ int PathStage::keep(cl::Record&& record) {
     return static_cast<int>(event_count_++);
 }
 
-int PathStage::feed_event(const Reckoning& run, double feed) {
-    return keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
+namespace {
+
+/// Marks in the number of an event: a corner's own feed, and the end of it.
+constexpr int corner_feed_begins = 1 << 29, corner_feed_ends = 1 << 30;
+
+}  // namespace
+
+void PathStage::put_corner_feed(const Reckoning& run, double feed, path::CornerRequest& corner) {
+    const int event = keep({cl::Feed{feed, run.modal.feed_mode}, run.here(), run.calls.back().stack});
+    corner.before.push_back(event | corner_feed_begins);
+    corner.after.push_back(event | corner_feed_ends);
 }
 
 void PathStage::tell_end(Telling& run) {
@@ -61,7 +70,15 @@ void PathStage::send_event(Telling& run, const cl::Record& record) {
 }
 
 void PathStage::send_kept(Telling& run, int event) {
-    if (event >= 0) return send_event(run, events_[static_cast<std::size_t>(event)]);
+    constexpr int marks = corner_feed_begins | corner_feed_ends;
+    if (event >= 0) {
+        cl::Record& record = events_[static_cast<std::size_t>(event & ~marks)];
+        const cl::Feed outside = run.told.feed;
+        if ((event & corner_feed_ends) != 0) record.step = outside;
+        send_event(run, record);
+        if ((event & corner_feed_begins) != 0) run.told.feed = outside;
+        return;
+    }
     const HeardThere& there = heard_[static_cast<std::size_t>(-1 - event)];
     if (run.listener) (*run.listener)(there.what, there.from);
 }

@@ -85,7 +85,9 @@ private:
     [[nodiscard]] int keep(cl::Record&& record);
     /// Room for a record that is to be kept; its number is that of events before it.
     [[nodiscard]] cl::Record& next_event();
-    [[nodiscard]] int feed_event(const Reckoning&, double feed);
+    /// About a corner with a feed of its own: that feed, and back to the one that the stream has been told before it.
+    /// Which one that is shows when the corner comes out: what stands behind its block has been told by then.
+    void put_corner_feed(const Reckoning&, double feed, path::CornerRequest&);
     void output(Telling&, const path::Output& out);
     void report(Reckoning&, const path::PathFaults& faults);
     void report(Reckoning&, const path::Fault& fault);
@@ -98,7 +100,7 @@ private:
     std::vector<cl::Record> events_;
     std::size_t event_count_ = 0;
     path::Events waiting_;
-    std::vector<HeardThere> heard_;  ///< the first is event -1, the second -2 …
+    std::vector<HeardThere> heard_;   ///< the first is event -1, the second -2 …
     std::optional<geom::Vec2> last_;  ///< end of the last element that was emitted
     bool active_ = false, fixed_plane_ = false;
     bool flushing_ = false, holds_ = false, said_outer_corner_ = false;

@@ -94,7 +94,8 @@ inline void send(Telling& run, const cl::Record& record) {
     if (cl::is_move(record.step)) {
         if (!run.ends.empty()) return send_with_ends(run, record);
         run.unsaid_since_change = {};  // it leads on from where it ends
-    }
+    } else if (const auto* feed = std::get_if<cl::Feed>(&record.step))
+        run.told.feed = *feed;
     run.sent = cl::position_after(run.sent, record.step);
     if (run.surface.kind != SurfaceMode::Kind::none) return send_on_surface(run, record);
     if (run.feed_shape.on) shape_feed(run, record);
