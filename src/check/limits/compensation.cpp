@@ -16,8 +16,8 @@ void Limits::check_compensation(const Move& move) {
     judged_compensation_ = state_.compensation;
     const cl::CompensationBegin& c = *state_.compensation;
     const shop::Tool* tool = state_.tool;
-    if (c.given || c.offset == 0 || tool == nullptr || !shop::is_milling(tool->kind) || tool->number == c.offset ||
-        !(tool->radius > 0))
+    if (c.given || c.offset == 0 || std::abs(c.radius) < same_radius || tool == nullptr ||
+        !shop::is_milling(tool->kind) || tool->number == c.offset || !(tool->radius > 0))
         return;
     const double radius = std::abs(c.radius);
     const auto is_other = [&](const shop::Tool& t) {
