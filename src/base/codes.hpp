@@ -35,8 +35,11 @@ inline constexpr std::string_view sideways_cut = "sideways-cut";
 inline constexpr std::string_view wrong_rotation = "wrong-rotation";
 inline constexpr std::string_view tap_pitch = "tap-pitch";
 inline constexpr std::string_view tool_length = "tool-length";
+inline constexpr std::string_view tool_radius = "tool-radius";
 inline constexpr std::string_view axis_limit = "axis-limit";
 inline constexpr std::string_view spindle_limit = "spindle-limit";
+inline constexpr std::string_view surface_speed = "surface-speed";
+inline constexpr std::string_view thread_crossed = "thread-crossed";
 inline constexpr std::string_view feed_limit = "feed-limit";
 inline constexpr std::string_view feed_implausible = "feed-implausible";
 inline constexpr std::string_view tool_missing = "tool-missing";
@@ -105,8 +108,12 @@ inline constexpr std::array all_codes{
     Code{codes::tap_pitch, CodeKind::finding, "a tap goes another way a revolution than its pitch"},
     Code{codes::tool_length, CodeKind::finding,
          "a feed move with the length compensation of another tool, or without the one it needs"},
+    Code{codes::tool_radius, CodeKind::finding, "a move with the radius compensation of another tool"},
     Code{codes::axis_limit, CodeKind::finding, "an axis leaves its travel"},
     Code{codes::spindle_limit, CodeKind::finding, "a spindle speed outside the machine's range"},
+    Code{codes::surface_speed, CodeKind::finding,
+         "constant cutting speed where it sets no speed that holds: near the axis without a limit, on it, in a thread"},
+    Code{codes::thread_crossed, CodeKind::finding, "a pass of a thread that does not follow the thread of the others"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},
     Code{codes::feed_implausible, CodeKind::finding, "a feed that no tool cuts with: one of the other feed mode"},
     Code{codes::tool_missing, CodeKind::finding, "a tool or edge that the tool list does not hold"},

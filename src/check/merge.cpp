@@ -80,7 +80,7 @@ void restrict_to(Result& result, shop::Scope scope) {
     namespace codes = base::codes;
     constexpr std::array beside_the_part{codes::rapid_in_stock,  codes::holder_in_stock, codes::edges_too_short,
                                          codes::clamp_collision, codes::plunging_cut,    codes::axis_limit,
-                                         codes::spindle_limit,   codes::feed_limit};
+                                         codes::spindle_limit,   codes::surface_speed,   codes::feed_limit};
     result.scope = scope;
     if (scope == shop::Scope::part) {
         std::map<std::string_view, std::uint64_t> left_out;

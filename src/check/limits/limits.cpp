@@ -85,8 +85,9 @@ bool turns_spindle(const Move& move) {
 
 }  // namespace
 
-Limits::Limits(const shop::Machine& machine, const motion::Stand& stand, const motion::State& state, Collector& out)
-    : machine_(machine), out_(out), stand_(stand), state_(state) {}
+Limits::Limits(const shop::Machine& machine, const std::vector<shop::Tool>& tools, const motion::Stand& stand,
+               const motion::State& state, Collector& out)
+    : machine_(machine), tools_(tools), out_(out), stand_(stand), state_(state) {}
 
 /// What was reached before counts on only where the axis follows the points as it did.
 void Limits::follow_stand() {
@@ -276,38 +277,6 @@ void Limits::check_spindle(const Move& move, std::optional<bool> cuts) {
     out_.finding(move, std::move(f));
 }
 
-/// Where limit or machine hold the speed already at the largest radius of the way, they do so nearer to the axis, too.
-void Limits::check_thread_speed(const Move& move) {
-    const auto* thread = std::get_if<cl::Thread>(&move.record.step);
-    if (thread == nullptr || thread->rigid_tap || state_.spindle.mode == cl::SpindleMode::rpm ||
-        state_.spindle.direction == 0)
-        return;
-    const double radius = std::fmax(std::abs(move.from.x), std::abs(move.to.x));
-    double cap = machine_.spindle.max;
-    if (state_.spindle.limit > 0) cap = std::min(cap, state_.spindle.limit);
-    if (state_.spindle.speed * 1000 >= 2 * geom::pi * radius * cap) return;
-    out_.assumption(
-        "a thread is cut under constant cutting speed: the spindle's speed goes with X from pass to pass, and "
-        "the turns are taken to meet all the same; a constant speed of the spindle before it holds it",
-        move.record.from);
-}
-
-/// Constant cutting speed towards the axis without a limit: the machine turns as fast as it can, chuck and bar with it.
-void Limits::check_surface_speed(const Move& move) {
-    const cl::Spindle& s = state_.spindle;
-    if (surface_noted_ || s.mode != cl::SpindleMode::surface || s.limit > 0 || s.direction == 0) return;
-    constexpr double harmless = 6000;  // 1/min, above which no chuck of usual size may turn
-    const double radius = std::fmin(std::abs(move.from.x), std::abs(move.to.x));
-    const double most = std::isfinite(machine_.spindle.max) ? std::min(machine_.spindle.max, harmless) : harmless;
-    const double wanted = s.speed * 1000 / (2 * geom::pi * radius);
-    if (!(wanted > most)) return;
-    surface_noted_ = true;
-    out_.assumption("constant cutting speed without a limit of the speed asks for " +
-                        (radius > 0 ? plain(std::round(wanted)) + " 1/min" : std::string("any speed")) + " at X " +
-                        base::fixed(radius, 3) + " mm (radius): the machine's own limit is taken to be safe",
-                    move.record.from);
-}
-
 /// A point that was forgotten is no way of any machine, whatever the job says of the travels.
 void Limits::check_far(const Move& move) {
     const double far = std::fmax(std::abs(move.to.x), std::fmax(std::abs(move.to.y), std::abs(move.to.z)));
@@ -324,8 +293,10 @@ void Limits::take(const Move& move, std::optional<bool> cuts, bool driven) {
     check_travel(move);
     check_far(move);
     check_thread_speed(move);
+    check_compensation(move);
     if (move.rapid) return;
     check_surface_speed(move);
+    check_speed_on_axis(move);
     check_feed(move);
     check_feed_mode(move, cuts.value_or(false));
     if (!driven) check_spindle(move, cuts);

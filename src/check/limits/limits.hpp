@@ -3,6 +3,8 @@
 
 #include <array>
 #include <map>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "check/collect.hpp"
@@ -15,8 +17,9 @@ namespace obrys::check {
 
 class Limits {
 public:
-    /// `state`: what the moves that are taken are made with; it outlives this.
-    Limits(const shop::Machine& machine, const motion::Stand& stand, const motion::State& state, Collector& out);
+    /// `state`: what the moves that are taken are made with. All outlive this.
+    Limits(const shop::Machine& machine, const std::vector<shop::Tool>& tools, const motion::Stand& stand,
+           const motion::State& state, Collector& out);
 
     /// Zero, tool or rotary axes have changed.
     void stand_changed() { changed_ = true; }
@@ -48,19 +51,24 @@ private:
     void check_thread_speed(const Move& move);
     void check_far(const Move& move);
     void check_surface_speed(const Move& move);
+    void check_speed_on_axis(const Move& move);
+    void check_compensation(const Move& move);
     void follow_stand();
     static double excess(Travel& travel, double low, double high);
     double rpm(const Move& move) const;
 
     const shop::Machine& machine_;
+    const std::vector<shop::Tool>& tools_;
     Collector& out_;
     const motion::Stand& stand_;
     const motion::State& state_;
     std::vector<Travel> travel_;
     std::map<std::string, double> other_worst_;  ///< of additional axes
+    std::optional<cl::CompensationBegin> judged_compensation_;
     bool changed_ = true;
     bool feed_reported_ = false, feed_implausible_reported_ = false, feed_limit_reported_ = false,
-         stopped_reported_ = false, travel_noted_ = false, far_reported_ = false, surface_noted_ = false;
+         stopped_reported_ = false, travel_noted_ = false, far_reported_ = false, surface_noted_ = false,
+         on_axis_reported_ = false, thread_speed_reported_ = false;
 };
 
 }  // namespace obrys::check

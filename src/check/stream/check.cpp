@@ -22,7 +22,7 @@ struct Check::State {
           out(stacks, setup.findings_per_code),
           cursor(setup.tools),
           stand(setup.machine),
-          limits(setup.machine, stand, cursor.state(), out),
+          limits(setup.machine, setup.tools, stand, cursor.state(), out),
           removal(setup, cursor.state(), out),
           trace(setup.keep_moves) {
         if (setup.milling) waiting.emplace();

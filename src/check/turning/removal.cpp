@@ -35,7 +35,12 @@ std::string remedy_of_missing(const std::vector<shop::Tool>& tools, const cl::To
 }  // namespace
 
 Removal::Removal(const Setup& setup, const motion::State& state, Collector& out)
-    : setup_(setup), state_(state), out_(out), use_on_axis_(setup, state, out), time_up_(setup.out_of_time) {
+    : setup_(setup),
+      state_(state),
+      out_(out),
+      use_on_axis_(setup, state, out),
+      passes_(state, out),
+      time_up_(setup.out_of_time) {
     if (!setup.stock || setup.stock->empty() || setup.machine.kind != shop::MachineKind::lathe) return;
     work_.emplace(*setup.stock);
     if (setup.part && judges_part(setup.scope)) part_.emplace(*setup.part);
@@ -53,6 +58,7 @@ Removal::Removal(const Setup& setup, const motion::State& state, Collector& out)
 void Removal::tool_changed() {
     emptied_ = !state_.any_tool && (emptied_ || had_tool_);
     had_tool_ = state_.any_tool;
+    passes_.judge();
     changed_ = true;
     positioned_ = false;
     tool_ = state_.tool;
@@ -211,6 +217,7 @@ Removed Removal::take(const Move& move) {
                             : "select a tool with T and D before it, or name the one in use in the job: first_tool = 1";
         out_.finding(move, std::move(f));
     }
+    passes_.follow(move);
     if (work_) {
         judge_clamps(move);
         judge_if_bent(move);
@@ -292,6 +299,7 @@ void Removal::require_room(const cl::Record& end) {
 
 void Removal::finish(const cl::Record& end, bool whole) {
     Result& result = out_.result();
+    if (whole) passes_.judge();
     if (!work_) {
         if (result.stats.moves == 0) return;
         if (setup_.milling) return;  // what is wrong with its stock has been said

@@ -10,6 +10,7 @@
 #include "check/time_up.hpp"
 #include "check/turning/axis_use.hpp"
 #include "check/turning/rest.hpp"
+#include "check/turning/thread_passes.hpp"
 #include "check/turning/turned_thread.hpp"
 #include "check/turning/turning_tool.hpp"
 #include "check/words.hpp"
@@ -122,6 +123,7 @@ private:
     geom::Region ridges_;            ///< what stands in the model because threads are not cut into it: no rest material
     double pitch_ = 0;               ///< mm, of the last thread
     geom::Vec2 thread_along_{1, 0};  ///< its direction
+    ThreadPasses passes_;
     std::optional<ThreadGround> ground_;  ///< of the thread that the last move was part of
     bool in_front_ = false;               ///< a tool has stood in front of the stock's right face
     bool positioned_ = false;             ///< the workpiece is an axis

@@ -62,6 +62,7 @@ void Removal::cut_thread(const Move& move, const sim::turning::Move& way, const 
     if (band.empty()) return;
     out_.assumption("threads are not cut into the simulated part: within their depth nothing is judged",
                     move.record.from);
+    passes_.cut(move, band, *tool_);
     judge_thread(move, {way, pitch_, outline_, band});
     threads_ = with(threads_, band);
 }
