@@ -38,6 +38,13 @@ Hole read_hole(Course& c, const Situation& s) {
     return h;
 }
 
+double top_of(Course& c, const Hole& h) {
+    const double top = c.maybe(Role::surface, h.retract);
+    if (top > h.retract || top < h.bottom)
+        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
+    return top;
+}
+
 void feed_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, false); }
 void rapid_to_w(Course& c, double w) { c.straight({c.at().x, c.at().y, w}, true); }
 
@@ -152,14 +159,6 @@ std::vector<double> levels_below(Course& c, double top, double bottom, const Inf
     const std::vector<double> rest = levels_of(c, top, bottom, infeeds);
     levels.insert(levels.end(), rest.begin(), rest.end());
     return levels;
-}
-
-/// Where infeeds count from.
-double top_of(Course& c, const Hole& h) {
-    const double top = c.maybe(Role::surface, h.retract);
-    if (top > h.retract || top < h.bottom)
-        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
-    return top;
 }
 
 Pecks read_pecks(Course& c, const Hole& h, bool chip_break) {

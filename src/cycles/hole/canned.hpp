@@ -30,6 +30,9 @@ struct Hole {
 /// As above without the retract plane's part: back boring, where it may be missing.
 [[nodiscard]] geom::Vec2 read_target(Course& course, const Situation& situation);
 
+/// Where infeeds count from: the surface, not written: the retract plane.
+[[nodiscard]] double top_of(Course& course, const Hole& hole);
+
 /// From where the tool stands to the retract plane above the hole.
 void approach(Course& course, const Hole& hole);
 void feed_w(Course& course, double w);

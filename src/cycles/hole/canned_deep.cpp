@@ -46,7 +46,6 @@ double next_infeed(const Falling& f, double before, double rest) {
 std::vector<double> falling_levels(Course& c, double top, double bottom, const Falling& f) {
     std::vector<double> levels;
     double infeed = f.first, level = top;
-    bool halved = false;
     while (level - infeed > bottom + same_depth) {
         level -= infeed;
         levels.push_back(level);
@@ -54,9 +53,7 @@ std::vector<double> falling_levels(Course& c, double top, double bottom, const F
             c.fault(Role::infeed, "the infeed is too small for the depth");
             return {};
         }
-        const double next = halved ? infeed : next_infeed(f, infeed, level - bottom);
-        halved = halved || next == (level - bottom) / 2;
-        infeed = next;
+        infeed = next_infeed(f, infeed, level - bottom);
     }
     levels.push_back(bottom);
     return levels;
@@ -92,9 +89,8 @@ void between(Course& c, const Hole& h, const Ways& w) {
 
 void canned_deep(Course& c, const Demand& demand, const Situation& s) {
     const Hole h = read_hole(c, s);
-    const double top = c.need(Role::surface);
-    if (top > h.retract || top < h.bottom)
-        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
+    c.need(Role::surface);
+    const double top = top_of(c, h);
     const Falling falling = read_falling(c, demand);
     const Ways ways = read_ways(c, demand);
     const double factor = demand.find(Role::feed_factor) ? c.positive(Role::feed_factor) / 100 : 1;

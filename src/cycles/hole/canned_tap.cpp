@@ -105,9 +105,7 @@ Rigid read_rigid(Course& c, const Demand& demand, const Situation& s) {
     const double factor = demand.find(Role::rpm_factor) ? c.positive(Role::rpm_factor) : 1;
     r.out = {r.in.speed * factor, -r.in.direction};
     for (const Role role : {Role::dwell_bottom, Role::dwell}) c.maybe_at_least(role, 0, 0);
-    const double top = c.maybe(Role::surface, r.hole.retract);
-    if (top > r.hole.retract || top < r.hole.bottom)
-        c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
+    const double top = top_of(c, r.hole);
     r.restarts = s.spindle_direction != 0 && !demand.find(Role::spindle_direction);
     if (demand.get(Role::infeed, 0) != 0) {
         const bool said = demand.find(Role::chip_break_distance) || demand.find(Role::chip_break_turns) ||

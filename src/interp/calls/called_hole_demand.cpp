@@ -68,6 +68,12 @@ void add_dwell(cycles::Demand& d, const Reckoning& run, const HoleCall& call, Ho
     if (const double written = call.get(a); written != 0) add(d, role, seconds_of(run, written));
 }
 
+/// After an infeed; 0 is 1 mm.
+double way_back(const HoleCall& call) {
+    const double written = std::abs(call.get(HoleArgument::way_back));
+    return written == 0 ? 1 : written;
+}
+
 // --- Shapes.
 
 /// By the rule that counts where _DIS1 is 0: 0.6 mm in holes of 30 mm, a fiftieth in deeper ones, 7 mm at most.
@@ -106,8 +112,7 @@ bool add_deep(Reckoning& run, const HoleCall& call, const Planes& p, cycles::Dem
     if (out)
         add(d, CycleRole::stop_distance_first, stop_distance(run, call, p));
     else
-        add(d, CycleRole::chip_break_distance,
-            call.get(HoleArgument::way_back) == 0 ? 1 : std::abs(call.get(HoleArgument::way_back)));
+        add(d, CycleRole::chip_break_distance, way_back(call));
     const double bottom_dwell = last != 0 ? last : dwell;
     if (plain && bottom_dwell != 0) add(d, CycleRole::dwell_bottom, seconds_of(run, bottom_dwell));
     if (plain) return true;
@@ -163,8 +168,7 @@ bool add_rigid(Reckoning& run, const HoleCall& call, cycles::Demand& d) {
     if (steps == 0 || infeed == 0) return true;
     add(d, CycleRole::infeed, std::abs(infeed));
     if (steps == 1)
-        add(d, CycleRole::chip_break_distance,
-            call.get(HoleArgument::way_back) == 0 ? 1 : std::abs(call.get(HoleArgument::way_back)));
+        add(d, CycleRole::chip_break_distance, way_back(call));
     else
         add(d, CycleRole::stop_distance_first, 0);
     return true;

@@ -51,6 +51,8 @@ void return_to_block(Calling&, const program::Jump&);
 /// A cycle of the control itself that no program of the user stands in for (control_cycle.cpp).
 void control_cycle(Calling&, const program::Call&);
 
+/// An argument as a number; 0 where it is left out, nothing where it is none or not known.
+[[nodiscard]] std::optional<double> plain(Reckoning&, const program::Call&, std::size_t argument);
 /// A call that is not run, and why.
 void say_not_run(Saying&, const program::Call&, const std::string& why);
 

@@ -20,15 +20,14 @@ namespace codes = base::codes;
 using program::Call;
 using program::ControlCycle;
 
-namespace {
-
-/// An argument as a number; 0 where it is left out, nothing where it is none or not known.
 std::optional<double> plain(Reckoning& run, const Call& call, std::size_t i) {
     if (i >= call.arguments.size() || call.arguments[i] == program::no_expr) return 0;
     const Value v = evaluate(run, call.arguments[i]);
     if (run.stopped || !v.is_number() || std::isnan(v.number)) return std::nullopt;
     return v.number;
 }
+
+namespace {
 
 /// CYCLE832(tolerance, mode, tolerance of rotary axes): nothing moves. Without arguments and with tolerance 0 it is
 /// switched off. The last digit of the mode is 1 finishing, 2 semi-finishing, 3 roughing, 4 precision; the one before

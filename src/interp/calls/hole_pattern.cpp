@@ -23,11 +23,9 @@ using Numbers = std::array<double, most_arguments>;
 std::optional<Numbers> numbers_of(Calling& run, const program::Call& call) {
     Numbers out{};
     for (std::size_t i = 0; i < call.arguments.size(); ++i) {
-        if (call.arguments[i] == program::no_expr) continue;
-        const Value v = evaluate(run, call.arguments[i]);
-        if (run.stopped || !v.is_number() || std::isnan(v.number)) return std::nullopt;
-        if (i >= out.size() && v.number != 0) return std::nullopt;
-        if (i < out.size()) out[i] = v.number;
+        const auto v = plain(run, call, i);
+        if (!v || (i >= out.size() && *v != 0)) return std::nullopt;
+        if (i < out.size()) out[i] = *v;
     }
     return out;
 }
@@ -60,7 +58,7 @@ std::vector<geom::Vec2> circle(const Numbers& n, double unit, std::uint64_t coun
 }  // namespace
 
 void call_hole_pattern(Calling& run, const program::Call& call) {
-    const HoleCall hole = run.modal_call.hole;
+    const HoleCall& hole = run.modal_call.hole;
     if (run.modal_call.unit != nullptr) return say_not_run(run, call, "a program is called at its places");
     if (hole.cycle == nullptr)
         return alarm(run, codes::value_range, call.where, "no drilling cycle is modal" + of_alarm("62100"),

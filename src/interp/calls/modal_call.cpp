@@ -40,8 +40,7 @@ void set_modal_call(Calling& run, const Unit& unit, const Call& call) {
 }
 
 void run_modal_call(Calling& run) {
-    if (run.modal_call.hole.cycle != nullptr)
-        return call_hole(run, HoleCall(run.modal_call.hole), {cl::CycleCall::modal});
+    if (run.modal_call.hole.cycle != nullptr) return call_hole(run, run.modal_call.hole, {cl::CycleCall::modal});
     const ModalCall& modal = run.modal_call;
     if (modal.unit == nullptr || run.stopped) return;
     for (const Activation& a : run.calls)

@@ -47,7 +47,7 @@ Shape shape_of(const json& tool) {
 
 TEST(CertifiedOracle, tools_touch_meshes_where_drop_cutting_says) {
     const std::optional<json> all = oracle("drop_cutter.json");
-    if (!all) GTEST_SKIP() << "needs ../shared";
+    if (!all) GTEST_SKIP() << "needs ../shared/spec/oracle/surfaces/drop_cutter.json";
     constexpr double allowed = 1e-6, beside = 1e-5, within = 1e-4;
     int touched = 0;
     for (const json& c : all->at("cases")) {
@@ -74,7 +74,7 @@ TEST(CertifiedOracle, tools_touch_meshes_where_drop_cutting_says) {
 
 TEST(CertifiedOracle, blocks_gouge_as_their_concave_maximum_says) {
     const std::optional<json> all = oracle("blocks.json"), meshes = oracle("drop_cutter.json");
-    if (!all || !meshes) GTEST_SKIP() << "needs ../shared";
+    if (!all || !meshes) GTEST_SKIP() << "needs ../shared/spec/oracle/surfaces/blocks.json and drop_cutter.json";
     constexpr double allowed = 1e-6;
     for (const json& c : all->at("cases")) {
         const mesh::Distance part(mesh_of(meshes->at("meshes").at(c.at("mesh").get<std::string>())));
@@ -117,7 +117,7 @@ mesh::Mesh wave() {
 
 TEST(CertifiedOracle, finishing_paths_over_a_wave_gouge_as_much_as_they_do) {
     const std::optional<json> all = oracle("certify.json");
-    if (!all) GTEST_SKIP() << "needs ../shared";
+    if (!all) GTEST_SKIP() << "needs ../shared/spec/oracle/surfaces/certify.json";
     const mesh::Distance part(wave());
     const double r = all->at("R");
     const Shape tool{{0, r, 0, r, r}, {r, r, r, height, 0}};
