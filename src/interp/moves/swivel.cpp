@@ -42,7 +42,7 @@ void take_rotary_along(Telling& run, std::string_view without) {
 namespace {
 
 /// Nobody knows any more where it stands, and the stream has not said so yet.
-bool is_lost(const Reckoning& run) {
+bool is_lost(const Telling& run) {
     const auto nowhere = [](const Vec3& p) { return std::isnan(p.x) && std::isnan(p.y) && std::isnan(p.z); };
     return nowhere(run.position) && !nowhere(run.sent);
 }
