@@ -20,6 +20,7 @@ namespace obrys::sim::milling {
 /// A place of the exact surface that a mesh does not show.
 struct Unshown {
     geom::Vec3 at, nearest;  ///< `nearest`: on the mesh
+    bool sharp = false;      ///< on a line of a sharp rim or point: a groove may be narrower than any other cells
 };
 
 class Fine {
@@ -136,7 +137,8 @@ private:
     double tolerance_;
     const Stop& stop_;
     Leaves leaves_;
-    std::int32_t usual_;  ///< size down to which leaves are halved, whatever is asked of them
+    std::int32_t usual_;     ///< size down to which leaves are halved, whatever is asked of them
+    std::int32_t smallest_;  ///< the same, but about sharp lines
     Exact& exact_;
     KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node
