@@ -13,8 +13,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double beyond_line = 0.05;     ///< of a line's length
-constexpr std::size_t most_around = 24;  ///< bodies that are asked together how far material is from a point in air
+constexpr double beyond_line = 0.05;  ///< of a line's length
 
 /// One ray of a row, as rows of tiles are made (tile_cut.cpp).
 Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
@@ -134,6 +133,24 @@ bool Exact::is_material(const Near& near, Vec3 p) const {
     });
 }
 
+/// Of a fine helix many bodies share a face; of too many all the same those that a point lies deepest in.
+void Exact::add_side(const Side& side, std::array<Side, most_around>& around, std::size_t& count) {
+    constexpr double one_plane = 1e-3;  // between directions
+    Side* shallowest = nullptr;
+    for (std::size_t n = 0; n < count; ++n) {
+        if (geom::distance(around[n].in, side.in) < one_plane) {
+            around[n].outside = std::min(around[n].outside, side.outside);
+            return;
+        }
+        if (around[n].in == Vec3{}) continue;  // the blank, whose direction is not asked for yet
+        if (shallowest == nullptr || around[n].outside > shallowest->outside) shallowest = &around[n];
+    }
+    if (count < most_around)
+        around[count++] = side;
+    else if (shallowest != nullptr && side.outside < shallowest->outside)
+        *shallowest = side;
+}
+
 bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_material) const {
     if (!near.stock && !near.blank) return false;
     const double within = near.stock ? stock_.within(p) : HUGE_VAL;
@@ -149,8 +166,7 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_ma
         const Foot foot = foot_on(*s.shape, s.track, own);
         if (foot.outside > in_material) continue;
         in_air = in_air || foot.outside < 0;
-        if (foot.outside < allowed && count < most_around)
-            around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
+        if (foot.outside < allowed) add_side({foot.outside, s.frame.to_stock(foot.gradient)}, around, count);
         if (!(foot.outside > 0)) {
             if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
             close = true;

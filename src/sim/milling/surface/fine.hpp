@@ -20,7 +20,7 @@ namespace obrys::sim::milling {
 /// A place of the exact surface that a mesh does not show.
 struct Unshown {
     geom::Vec3 at, nearest;  ///< `nearest`: on the mesh
-    bool sharp = false;      ///< on a line of a sharp rim or point: a groove may be narrower than any other cells
+    Corners triangle;        ///< the mesh's own there
 };
 
 class Fine {
@@ -105,6 +105,9 @@ private:
     [[nodiscard]] geom::Vec3 vertex_of(const Piece& piece, NearCell& near) const;
     [[nodiscard]] PlaneFit planes_of(const Piece& piece) const;
     [[nodiscard]] PlaneFit planes_at(const Piece& piece, geom::Vec3 p) const;
+    void add_leaf(geom::Vec3 p, std::vector<Leaf>& out) const;
+    void add_leaves_at_corners(const Unshown& u, std::vector<Leaf>& out) const;
+    void add_leaves_beside(geom::Vec3 p, const Leaf& leaf, std::vector<Leaf>& out) const;
     [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
     [[nodiscard]] bool has_room_for(std::size_t leaves) const;
@@ -138,7 +141,7 @@ private:
     const Stop& stop_;
     Leaves leaves_;
     std::int32_t usual_;     ///< size down to which leaves are halved, whatever is asked of them
-    std::int32_t smallest_;  ///< the same, but about sharp lines
+    std::int32_t smallest_;  ///< the same, but about places looked for
     Exact& exact_;
     KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node

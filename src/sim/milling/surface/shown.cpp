@@ -26,7 +26,7 @@ constexpr std::size_t many_parts = 20'000;  ///< of one that could not be halved
 /// Tolerances by which the bottom of a groove of a tool's point may be filled in, and listed: no rest material is lost
 /// there, and gouges are found by the tool itself.
 constexpr double points_left = 2;
-constexpr double within_left = 1.25;  ///< tolerances: how deep a place may lie that could not be halved, unsaid
+constexpr double within_left = 1;  ///< tolerances: how deep a place may lie that could not be halved, unsaid
 constexpr int most_rounds = 24;
 
 /// The cells that places lie in, and those around them.
@@ -76,6 +76,11 @@ mesh::Distance mesh_about(const mesh::Mesh& whole, const std::vector<Vec3>& plac
     return mesh::Distance(part_near(whole, Around(lattice, places)));
 }
 
+Unshown unshown_at(const mesh::Distance& mesh, Vec3 p, const mesh::Nearest& nearest) {
+    if (!std::isfinite(nearest.distance)) return {p, p, {p, p, p}};
+    return {p, nearest.at, mesh::corners(mesh.mesh(), nearest.triangle)};
+}
+
 std::vector<Unshown> unshown(const mesh::Distance& mesh, const std::vector<Vec3>& places, double allowed) {
     std::vector<mesh::Nearest> nearest(places.size());
     base::in_pieces(places.size(), 256, [&](const base::Piece& some) {
@@ -83,8 +88,7 @@ std::vector<Unshown> unshown(const mesh::Distance& mesh, const std::vector<Vec3>
     });
     std::vector<Unshown> found;
     for (std::size_t i = 0; i < places.size(); ++i)
-        if (!(nearest[i].distance <= allowed))
-            found.push_back({places[i], std::isfinite(nearest[i].distance) ? nearest[i].at : places[i]});
+        if (!(nearest[i].distance <= allowed)) found.push_back(unshown_at(mesh, places[i], nearest[i]));
     return found;
 }
 
@@ -111,8 +115,8 @@ private:
         Vec3 at;
         mesh::Nearest nearest;
     };
-    static void add(Vec3 p, const mesh::Nearest& nearest, std::vector<Unshown>& out) {
-        out.push_back({p, std::isfinite(nearest.distance) ? nearest.at : p, true});
+    void add(Vec3 p, const mesh::Nearest& nearest, std::vector<Unshown>& out) const {
+        out.push_back(unshown_at(mesh_, p, nearest));
     }
     [[nodiscard]] double from_triangle(Vec3 p, const mesh::Nearest& of) const {
         return mesh::nearest_on_triangle(p, mesh::corners(mesh_.mesh(), of.triangle)).distance;
@@ -200,7 +204,7 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
         const Edges edges = edges_in(cells, exact, tolerance, round == 0 ? together : fine_together, round == 0);
         places.insert(places.end(), edges.places.begin(), edges.places.end());
         std::vector<Unshown> unjudged;
-        for (const Vec3& p : edges.unjudged) unjudged.push_back({p, p});
+        for (const Vec3& p : edges.unjudged) unjudged.push_back({p, p, {p, p, p}});
         // Smaller cells have fewer faces about them.
         if (round == 0) unjudged = fine.show(unjudged);
         for (const Unshown& u : unjudged) fine.leave_open(u.at);
@@ -209,7 +213,8 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
         std::vector<Unshown> wrong = unshown(about, places, wanted * tolerance);
         for (const auto* lines : {&rim_lines, &point_lines})
             for (const Unshown& u : sharp(about, *lines, wanted_sharp, wanted_size)) wrong.push_back(u);
-        for (const Vec3& p : within.places(now, wanted_within * tolerance, some_parts)) wrong.push_back({p, p});
+        for (const WithinMaterial::Deep& d : within.places(now, wanted_within * tolerance, some_parts))
+            wrong.push_back({d.at, d.at, d.triangle});
         if (wrong.empty() && (round > 0 || fine.cells().empty())) return;
         const std::vector<Unshown> left = fine.show(wrong);
         if (!wrong.empty() && left.size() == wrong.size()) break;
@@ -223,7 +228,7 @@ void show_all(const Simulation& simulation, const NodeBits& nodes, Exact& exact,
             fine.leave_open(u.at);
         else
             fine.leave_filled(u.at);
-    for (const Vec3& p : within.places(now, within_left * tolerance, many_parts)) fine.leave_open(p);
+    for (const WithinMaterial::Deep& d : within.places(now, within_left * tolerance, many_parts)) fine.leave_open(d.at);
 }
 
 }  // namespace obrys::sim::milling
