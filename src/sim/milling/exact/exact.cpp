@@ -246,23 +246,34 @@ double change_of_sign(const F& distance, double low, double high) {
 
 }  // namespace
 
-/// A blank's face on the line, as a gap. Thin parts of it within one line are not seen.
+/// A blank's faces on the line, as gaps. Thin parts of it within the line are not seen; a wall that one of its nodes
+/// stands in is, however thin: the line goes on a little beyond both.
 void Exact::stock_ends(const Near& near, int axis, Vec3 from, double low, double high,
                        std::vector<Interval>& out) const {
     if (!near.stock && near.blank) return;
+    if (!near.stock) {
+        out.push_back({low - 1, high + 1, 0, 0});
+        return;
+    }
     const auto within = [&](double at) {
         Vec3 p = from;
         set_component(p, axis, at);
         return stock_.within(p);
     };
-    const bool first = near.stock && within(low) > 0, last = near.stock && within(high) > 0;
-    if (first && last) return;
-    if (!first && !last) {
-        out.push_back({low - 1, high + 1, 0, 0});
-        return;
+    const double node = component(from, axis), beyond = node - low;
+    const std::array<double, 4> places{low, node, high - beyond, high};
+    bool material = within(low) > 0;
+    double begun = low - 1;  // of a gap
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if ((within(places[i]) > 0) == material) continue;
+        const double face = change_of_sign(within, places[i - 1], places[i]);
+        if (material)
+            begun = face;
+        else
+            out.push_back({begun, face, 0, 0});
+        material = !material;
     }
-    const double face = change_of_sign(within, low, high);
-    out.push_back(first ? Interval{face, high + 1, 0, 0} : Interval{low - 1, face, 0, 0});
+    if (!material) out.push_back({begun, high + 1, 0, 0});
 }
 
 void Exact::ends(const Near& near, int axis, Vec3 from, double high, std::vector<LineEnd>& out) const {
