@@ -21,32 +21,36 @@ bool boxes_meet(const Box& a, const Box& b) {
            b.lo.z <= a.hi.z;
 }
 
-/// Where the way from `a` to `b` goes through a triangle, far enough on both ends.
-std::optional<SelfCrossing> through(Vec3 a, Vec3 b, const std::array<Vec3, 3>& t, Vec3 normal, double least) {
+/// Where the way from `a` to `b` goes through a triangle, far enough on both ends and from its border.
+std::optional<Vec3> through(Vec3 a, Vec3 b, const std::array<Vec3, 3>& t, Vec3 normal, double beyond) {
     const double first = dot(a - t[0], normal), last = dot(b - t[0], normal);
-    const double beyond = std::min(std::abs(first), std::abs(last));
-    if (!(first * last < 0) || !(beyond > least)) return std::nullopt;
+    const double least = std::max(rounding, std::min(beyond, short_share * geom::distance(a, b)));
+    if (!(first * last < 0) || !(std::min(std::abs(first), std::abs(last)) > least)) return std::nullopt;
     const Vec3 p = a + (first / (first - last)) * (b - a);
-    for (std::size_t i = 0; i < 3; ++i)
-        if (dot(cross(t[(i + 1) % 3] - t[i], p - t[i]), normal) < 0) return std::nullopt;
-    return SelfCrossing{p, beyond};
+    const double around = geom::distance(t[0], t[1]) + geom::distance(t[1], t[2]) + geom::distance(t[2], t[0]),
+                 circle = dot(cross(t[1] - t[0], t[2] - t[0]), normal) / around;
+    const double inside = std::max(rounding, std::min(beyond, short_share * circle));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 side = t[(i + 1) % 3] - t[i];
+        if (!(dot(cross(side, p - t[i]), normal) > inside * length(side))) return std::nullopt;
+    }
+    return p;
 }
 
-std::optional<SelfCrossing> crossing_of(const Distance& surface, std::uint32_t triangle, double beyond) {
+std::optional<Vec3> crossing_of(const Distance& surface, std::uint32_t triangle, double beyond) {
     const Mesh& m = surface.mesh();
     const Triangle& t = m.triangles[triangle];
-    std::optional<SelfCrossing> found;
+    std::optional<Vec3> found;
     for (std::size_t i = 0; i < 3 && !found; ++i) {
         const std::uint32_t one = t[i], other = t[(i + 1) % 3];
         if (one > other) continue;  // its neighbour has the same side
         const Vec3 a = m.vertices[one], b = m.vertices[other];
-        const double least = std::max(rounding, std::min(beyond, short_share * geom::distance(a, b)));
         Box around;
         around.add(a);
         around.add(b);
         surface.visit([&](const Box& box) { return boxes_meet(box, around); },
                       [&](std::uint32_t n) {
-                          found = through(a, b, corners(m, n), surface.normal(n), least);
+                          found = through(a, b, corners(m, n), surface.normal(n), beyond);
                           return !found;
                       });
     }
@@ -55,9 +59,9 @@ std::optional<SelfCrossing> crossing_of(const Distance& surface, std::uint32_t t
 
 }  // namespace
 
-std::optional<SelfCrossing> self_crossing(const Distance& surface, double beyond) {
+std::optional<Vec3> self_crossing(const Distance& surface, double beyond) {
     const std::size_t count = surface.mesh().triangles.size(), pieces = (count + together - 1) / together;
-    std::vector<std::optional<SelfCrossing>> found(pieces);
+    std::vector<std::optional<Vec3>> found(pieces);
     std::atomic<std::size_t> least = pieces;
     base::for_all(pieces, [&](std::size_t n) {
         if (n > least) return;  // an earlier one crosses

@@ -7,14 +7,9 @@
 
 namespace obrys::mesh {
 
-/// A side of a triangle goes through another triangle.
-struct SelfCrossing {
-    geom::Vec3 at;
-    double beyond = 0;  ///< how far each end of the side lies from that triangle's plane, at least
-};
-
-/// One whose side goes on by more than so on both ends, or by a quarter of its length where that is less; of the
-/// earliest triangle.
-[[nodiscard]] std::optional<SelfCrossing> self_crossing(const Distance& surface, double beyond);
+/// A place where a side of a triangle goes through the inside of another one: both ends lie farther from that one's
+/// plane than so, and the place lies farther from its border, or by a quarter of the side and of the largest circle in
+/// the triangle where these are less. So bodies that touch do not cross. Of the earliest triangle.
+[[nodiscard]] std::optional<geom::Vec3> self_crossing(const Distance& surface, double beyond);
 
 }  // namespace obrys::mesh

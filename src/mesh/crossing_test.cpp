@@ -21,9 +21,7 @@ TEST(SelfCrossing, bodies_that_overlap_cross_and_those_that_touch_do_not) {
         EXPECT_FALSE(self_crossing(blocks(1, turn), 0.01).has_value());
         EXPECT_FALSE(self_crossing(blocks(0, turn), 0.01).has_value());
         EXPECT_FALSE(self_crossing(blocks(-0.009, turn), 0.01).has_value());
-        const auto found = self_crossing(blocks(-0.02, turn), 0.01);
-        ASSERT_TRUE(found.has_value()) << turn;
-        EXPECT_NEAR(found->beyond, 0.02, 1e-9);
+        EXPECT_TRUE(self_crossing(blocks(-0.02, turn), 0.01).has_value()) << turn;
     }
 }
 
@@ -35,8 +33,8 @@ TEST(SelfCrossing, round_bodies_of_small_triangles_cross_in_the_first_place) {
         const auto found = self_crossing(Distance(m), 0.01);
         ASSERT_TRUE(found.has_value());
         // Where the rod leaves the ball.
-        EXPECT_NEAR(length(found->at), 4, 0.1);
-        EXPECT_NEAR(std::hypot(found->at.x - 3, found->at.y), 0.5, 0.1);
+        EXPECT_NEAR(length(*found), 4, 0.1);
+        EXPECT_NEAR(std::hypot(found->x - 3, found->y), 0.5, 0.1);
     }
 }
 

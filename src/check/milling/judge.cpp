@@ -224,7 +224,7 @@ void Milling::judge_crossing() {
         mesh::self_crossing(mesh::Distance({stock->vertices, stock->triangles, {}}), setup_.milling->tolerance);
     if (!found) return;
     crossed_ = true;
-    out_.unchecked("the stock's surface goes through itself, first at " + point(found->at) +
+    out_.unchecked("the stock's surface goes through itself, first at " + point(*found) +
                        ": it is not known what is material there, and rapids in it are not looked for between the rays",
                    "unite its bodies in the CAD system, and export one solid");
 }

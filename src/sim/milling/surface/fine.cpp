@@ -18,9 +18,7 @@ using geom::Vec3;
 /// Of the tolerance: how far points looked at may be off, for those between them. How deep any lie in the material is
 /// proved afterwards (within.hpp).
 constexpr double fine_sampled = 0.5, fine_within = 0.8;
-constexpr int ways = 4;              ///< into which the way from a place to the mesh is divided
-constexpr double long_triangle = 3;  ///< diagonals of the leaf that a place of it lies in
-constexpr double small_leaf = 8;     ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
+constexpr double small_leaf = 8;  ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
 constexpr int more_levels = 2;   ///< for what is off by more than the tolerance, and for places looked for: needles
 constexpr int sharp_levels = 2;  ///< and for sharp lines: a scratch of 20 degrees is a third as wide as it is deep
@@ -70,53 +68,7 @@ void Fine::refine(const std::vector<Place>& cells) {
     halve(std::move(next));
 }
 
-std::vector<Unshown> Fine::show(const std::vector<Unshown>& places) {
-    std::vector<Leaf> next;
-    std::vector<Unshown> left;
-    for (const Unshown& u : places) {
-        const std::size_t before = next.size();
-        add_leaves_at_corners(u, next);
-        for (int i = 0; i <= ways && next.size() == before; ++i)
-            add_leaf(u.at + (static_cast<double>(i) / ways) * (u.nearest - u.at), next);
-        // Its triangles may reach in from larger leaves beside it.
-        for (const Vec3 p : {u.at, u.nearest})
-            if (Leaf leaf; next.size() == before && leaf_of(p, leaf)) add_leaves_beside(p, leaf, next);
-        if (next.size() == before) left.push_back(u);
-    }
-    if (known_.size() >= most_known) return places;
-    halve(std::move(next));
-    return left;
-}
-
-/// The leaf there, if it can be halved.
-void Fine::add_leaf(Vec3 p, std::vector<Leaf>& out) const {
-    if (Leaf leaf; leaf_of(p, leaf) && leaf.size > 1) out.push_back(leaf);
-}
-
-/// A triangle that is long for the leaf about its place belongs to an edge elsewhere: vertices reach out to tips. Of
-/// its corners one is that edge's crossing, which lies between leaves.
-void Fine::add_leaves_at_corners(const Unshown& u, std::vector<Leaf>& out) const {
-    Leaf leaf;
-    if (!leaf_of(u.nearest, leaf)) return;
-    const Vec3 size = leaves_.node({leaf.size, leaf.size, leaf.size}) - leaves_.node({0, 0, 0}),
-               aside = 0.01 * (leaves_.node({1, 1, 1}) - leaves_.node({0, 0, 0}));
-    const Corners& t = u.triangle;
-    const double longest =
-        std::max({geom::distance(t[0], t[1]), geom::distance(t[1], t[2]), geom::distance(t[2], t[0])});
-    if (longest < long_triangle * length(size)) return;
-    for (const Vec3& corner : t)
-        for (const Vec3& way : corners_of(-1.0 * aside, 2.0 * aside)) add_leaf(corner + way, out);
-}
-
-void Fine::add_leaves_beside(Vec3 p, const Leaf& leaf, std::vector<Leaf>& out) const {
-    const Vec3 size = leaves_.node({leaf.size, leaf.size, leaf.size}) - leaves_.node({0, 0, 0});
-    for (int a = 0; a < 3; ++a)
-        for (const double way : {-1.0, 1.0}) {
-            Vec3 beside = p;
-            set_component(beside, a, component(p, a) + way * component(size, a));
-            add_leaf(beside, out);
-        }
-}
+bool Fine::is_full() const { return known_.size() >= most_known; }
 
 bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
     Place at{};

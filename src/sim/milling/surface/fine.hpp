@@ -110,6 +110,7 @@ private:
     void add_leaves_beside(geom::Vec3 p, const Leaf& leaf, std::vector<Leaf>& out) const;
     [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
+    [[nodiscard]] bool is_full() const;
     [[nodiscard]] bool has_room_for(std::size_t leaves) const;
     [[nodiscard]] bool needs_split(const Near& near, const Leaf& leaf) const;
     [[nodiscard]] bool is_off(const Near& here, const Corners& t, double allowed, double in_material) const;
