@@ -96,8 +96,9 @@ int Course::whole(Role role, const Said& said, int otherwise, int least, int mos
     return least;
 }
 
-double Course::at_least(Role role, double least) {
-    const double value = need(role);
+double Course::at_least(Role role, double least) { return not_below(role, need(role), least); }
+
+double Course::not_below(Role role, double value, double least) {
     if (value < least) fault(role, std::string(name(role)) + " must not be below " + base::shortest(least));
     return value;
 }

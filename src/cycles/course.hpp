@@ -41,6 +41,8 @@ public:
     Course(const Demand& demand, const Situation& situation, bool anywhere);
 
     // Parameters.
+    /// The value; below `least` it is a fault.
+    double not_below(Role role, double value, double least);
     /// What is written for a role as it must be; not written is a fault.
     double taken(Role role, const Said& written, Must must);
     /// Must be written, finite and known.

@@ -9,9 +9,9 @@ namespace obrys::cycles::test {
 namespace {
 
 template <class Cycle>
-class typed_holes : public testing::Test {};
+class typed_holes : public ::testing::Test {};
 
-using All = testing::Types<OldPecking, DepthDrilling, UniversalDrilling, UniversalPecking, Centring, SingleLipDrilling,
+using All = ::testing::Types<OldPecking, DepthDrilling, UniversalDrilling, UniversalPecking, Centring, SingleLipDrilling,
                            Reaming, DepthBoring, Counterboring, BoreMilling, OldFloatingTapping, DepthFloatingTapping,
                            OldRigidTapping, DepthRigidTapping, ChipBreakTapping, ThreadCutting, ThreadMilling,
                            CountersunkThreadMilling, DrilledThreadMilling, HelicalThreadMilling, OutsideThreadMilling,

@@ -16,15 +16,6 @@ using geom::Edge;
 using geom::Region;
 using geom::Vec2;
 
-Heights read_heights(Course& c) {
-    BelowSurface d;
-    d.surface = c.need(Role::surface);
-    d.clearance = c.at_least(Role::clearance, 0);
-    d.depth = c.depth();
-    d.second_clearance = c.maybe_at_least(Role::second_clearance, 0, 0);
-    return heights_of(d);
-}
-
 double milling_radius(Course& c, const Situation& s) {
     constexpr double largest = 1e4;
     const double radius = c.tool_radius(s);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cycles/heights.hpp"
+#include "cycles/course.hpp"
 #include "cycles/shapes.hpp"
 #include "geom/region.hpp"
 
@@ -23,8 +23,6 @@ struct Descent {
     double length = 0;  ///< of a reciprocation at most; 0: two tool diameters
     double feed = 0;
 };
-/// From surface, clearance, depth and second clearance; complaints are in the course.
-[[nodiscard]] Heights read_heights(Course& course);
 /// Of the tool: known, above 0 and of a size that mills.
 [[nodiscard]] double milling_radius(Course& course, const Situation& situation);
 /// Complains of a contour that lies out of any machine's reach or is not known.
