@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 
 #include "cycles/course.hpp"
 
@@ -83,7 +84,8 @@ constexpr auto joined(const Members<Part, N>&... parts) {
 /// Members are numbers and nothing else: what the table binds fills the struct where it forgets none.
 template <class Cycle>
 inline constexpr bool is_bound =
-    detail::bytes_of(members_of<Cycle>) == sizeof(Cycle) && detail::are_apart(members_of<Cycle>);
+    detail::bytes_of(members_of<Cycle>) == (std::is_empty_v<Cycle> ? 0 : sizeof(Cycle)) &&
+    detail::are_apart(members_of<Cycle>);
 
 template <class Cycle>
 constexpr auto roles_in_table() {

@@ -5,10 +5,13 @@
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <string>
 
 #include "cycles/expand/expand.hpp"
+#include "cycles/turn/turning.hpp"
 #include "dialect/heidenhain/cycles.hpp"
+#include "dialect/rs274/fanuc.hpp"
 #include "driver/control.hpp"
 #include "program/traits.hpp"
 #include "write/post.hpp"
@@ -21,8 +24,14 @@ namespace {
 using cl::CycleKind;
 using cl::CycleRole;
 
+std::span<const CycleRole> roles_of_kind(CycleKind kind) {
+    return cycles::is_turning_cycle(kind) ? cycles::roles_of_turning(kind) : cycles::roles_of(kind);
+}
+
+bool is_made_here(CycleKind kind) { return cycles::is_turning_cycle(kind) || cycles::is_expanded(kind); }
+
 bool cycle_can_say(CycleKind kind, CycleRole role) {
-    const auto roles = cycles::roles_of(kind);
+    const auto roles = roles_of_kind(kind);
     return std::find(roles.begin(), roles.end(), role) != roles.end();
 }
 
@@ -71,10 +80,36 @@ TEST(cycle_roles, WordsOfCannedCyclesSayWhatTheCycleCan) {
     EXPECT_GT(words, 100u);
 }
 
+TEST(cycle_roles, WordsOfTurningCyclesSayWhatTheCycleCan) {
+    std::size_t words = 0;
+    for (const program::Traits* t : traits_of_all())
+        for (const program::CannedCycle& c : t->turning) {
+            for (const program::CannedWord& w : c.words) {
+                ++words;
+                EXPECT_TRUE(cycle_can_say(c.kind, w.role)) << cycle_label("turning", c.name, c.kind, w.role);
+            }
+            for (const cl::CycleValue& v : c.fixed)
+                EXPECT_TRUE(cycle_can_say(c.kind, v.role)) << cycle_label("fixed", c.name, c.kind, v.role);
+        }
+    for (int number = 700; number <= 760; number += 10) {
+        const auto* c = obrys::dialect::rs274::find_turning_cycle(number);
+        ASSERT_NE(c, nullptr) << number;
+        for (const auto& list : {c->data, c->call, c->single, c->haas})
+            for (const auto& w : list) {
+                ++words;
+                EXPECT_TRUE(cycle_can_say(c->kind, w.role)) << cycle_label("fanuc", "", c->kind, w.role);
+            }
+        for (const auto& list : {c->parameters, c->settings})
+            for (const program::CycleDefault& d : list)
+                EXPECT_TRUE(cycle_can_say(c->kind, d.role)) << cycle_label("default", "", c->kind, d.role);
+    }
+    EXPECT_GT(words, 60u);
+}
+
 TEST(cycle_roles, ParametersOfDefinedCyclesSayWhatTheCycleCan) {
     std::size_t parameters = 0;
     for (const obrys::dialect::heidenhain::Cycle& c : obrys::dialect::heidenhain::all_cycles()) {
-        if (cycles::roles_of(c.kind).empty()) continue;
+        if (!is_made_here(c.kind)) continue;
         for (const obrys::dialect::heidenhain::CycleParameter& p : c.parameters) {
             ++parameters;
             EXPECT_TRUE(cycle_can_say(c.kind, p.role)) << cycle_label("CYCL DEF", c.name, c.kind, p.role);
@@ -92,7 +127,7 @@ TEST(cycle_roles, PostsPrintWhatTheCycleCanSay) {
         const auto post = write::read_post(sources.add(name + ".toml", text), sources, diagnostics);
         ASSERT_TRUE(post) << name;
         for (const auto& [kind, forms] : post->cycles) {
-            if (cycles::roles_of(kind).empty()) continue;
+            if (!is_made_here(kind)) continue;
             for (const write::CycleForm& form : forms)
                 for (int r = 0; r <= static_cast<int>(CycleRole::turned_axes); ++r) {
                     const CycleRole role = static_cast<CycleRole>(r);
