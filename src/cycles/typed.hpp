@@ -83,9 +83,8 @@ constexpr auto joined(const Members<Part, N>&... parts) {
 
 /// Members are numbers and nothing else: what the table binds fills the struct where it forgets none.
 template <class Cycle>
-inline constexpr bool is_bound =
-    detail::bytes_of(members_of<Cycle>) == (std::is_empty_v<Cycle> ? 0 : sizeof(Cycle)) &&
-    detail::are_apart(members_of<Cycle>);
+inline constexpr bool is_bound = detail::bytes_of(members_of<Cycle>) == (std::is_empty_v<Cycle> ? 0 : sizeof(Cycle)) &&
+                                 detail::are_apart(members_of<Cycle>);
 
 template <class Cycle>
 constexpr auto roles_in_table() {
@@ -169,7 +168,7 @@ struct KindRow {
 /// The steps of one cycle; every room has an overload for each of its own.
 template <class Cycle>
 void expand_typed(Course& course, const Demand& demand, const Situation& situation) {
-    make(course, read<Cycle>(course, demand), situation);
+    write_steps(course, read<Cycle>(course, demand), situation);
 }
 
 template <class Cycle>

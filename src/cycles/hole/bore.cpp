@@ -35,7 +35,7 @@ void turn_again(Course& c, const Situation& s) {
 
 }  // namespace
 
-void make(Course& c, const Reaming& d, const Situation&) {
+void write_steps(Course& c, const Reaming& d, const Situation&) {
     const Heights h = heights_of(d);
     if (!c.ready()) return;
     c.rapid_w(h.clearance);
@@ -45,7 +45,7 @@ void make(Course& c, const Reaming& d, const Situation&) {
     c.rapid_w(h.end);
 }
 
-void make(Course& c, const DepthBoring& d, const Situation& s) {
+void write_steps(Course& c, const DepthBoring& d, const Situation& s) {
     const Heights h = heights_of(d);
     const double back = unless_0(d.feed_retract, d.feed_plunge);
     const geom::Vec3 away = direction_of(c, d.retract_direction, 0);
@@ -63,7 +63,7 @@ void make(Course& c, const DepthBoring& d, const Situation& s) {
     turn_again(c, s);
 }
 
-void make(Course& c, const Counterboring& d, const Situation& s) {
+void write_steps(Course& c, const Counterboring& d, const Situation& s) {
     const double above = d.surface + d.clearance;
     const double end = d.surface + std::max(d.clearance, d.second_clearance.value_or(0));
     const geom::Vec3 away = direction_of(c, d.retract_direction, 1);
@@ -93,7 +93,7 @@ void make(Course& c, const Counterboring& d, const Situation& s) {
     turn_again(c, s);
 }
 
-void make(Course& c, const BoreMilling& d, const Situation& s) {
+void write_steps(Course& c, const BoreMilling& d, const Situation& s) {
     const Heights h = heights_of(d);
     const double sense = d.direction.value_or(1) < 0 ? -1 : 1;  // inside a hole climb is counter-clockwise with M3
     const double radius = d.diameter / 2 - c.tool_radius(s);

@@ -189,7 +189,7 @@ void run_pecks(Course& c, const Hole& h, const Pecks& p) {
 
 }  // namespace
 
-void make(Course& c, const Drilling& d, const Situation& s) {
+void write_steps(Course& c, const Drilling& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const double finish = d.finish_infeed.value_or(0);
     const double factor = finish > 0 ? asked(c, d, &Drilling::feed_factor, Must::be_above_0) / 100 : 1;
@@ -201,7 +201,7 @@ void make(Course& c, const Drilling& d, const Situation& s) {
     rapid_to_w(c, h.end);
 }
 
-void make(Course& c, const ChipBreakDrilling& d, const Situation& s) {
+void write_steps(Course& c, const ChipBreakDrilling& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const double every = d.retract_every.value_or(0);
     const double stop = every > 0 ? asked(c, d, &ChipBreakDrilling::stop_distance_first, Must::be_at_least_0) : 0;
@@ -212,7 +212,7 @@ void make(Course& c, const ChipBreakDrilling& d, const Situation& s) {
     run_pecks(c, h, p);
 }
 
-void make(Course& c, const PeckDrilling& d, const Situation& s) {
+void write_steps(Course& c, const PeckDrilling& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     Pecks p = pecks_of(c, d, h);
     p.stop = d.stop_distance_first;

@@ -50,7 +50,7 @@ Hole hole_of_back_bore(Course& c, const BackBoring& d, const Situation& s) {
 
 }  // namespace
 
-void make(Course& c, const FeedBoring& d, const Situation& s) {
+void write_steps(Course& c, const FeedBoring& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     if (!c.ready()) return;
     approach(c, h);
@@ -61,7 +61,7 @@ void make(Course& c, const FeedBoring& d, const Situation& s) {
     feed_out(c, h, d.feed_out.value_or(0) != 0);
 }
 
-void make(Course& c, const StopBoring& d, const Situation& s) {
+void write_steps(Course& c, const StopBoring& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
     if (!c.ready()) return;
@@ -75,7 +75,7 @@ void make(Course& c, const StopBoring& d, const Situation& s) {
     end_turning(c, d.spindle_after, t);
 }
 
-void make(Course& c, const OrientedBoring& d, const Situation& s) {
+void write_steps(Course& c, const OrientedBoring& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
     if (!c.ready()) return;
@@ -91,7 +91,7 @@ void make(Course& c, const OrientedBoring& d, const Situation& s) {
     end_turning(c, d.spindle_after, t);
 }
 
-void make(Course& c, const BackBoring& d, const Situation& s) {
+void write_steps(Course& c, const BackBoring& d, const Situation& s) {
     const Hole h = hole_of_back_bore(c, d, s);
     const geom::Vec2 beside = h.target + geom::Vec2{d.shift_u, d.shift_v};
     const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
@@ -119,7 +119,7 @@ void make(Course& c, const BackBoring& d, const Situation& s) {
     start_spindle(c, t);
 }
 
-void make(Course& c, const ManualBoring& d, const Situation& s) {
+void write_steps(Course& c, const ManualBoring& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
     const bool with_move = d.manual_retract.value_or(0) != 0;

@@ -74,7 +74,7 @@ void between(Course& c, const Hole& h, const DeepDrilling& d, double distance) {
 
 }  // namespace
 
-void make(Course& c, const DeepDrilling& d, const Situation& s) {
+void write_steps(Course& c, const DeepDrilling& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     asked(c, d, &DeepDrilling::surface, Must::be_known);
     const double top = top_of(c, d);

@@ -101,7 +101,7 @@ void break_chip(Course& c, const RigidTapping& d, const Rigid& r, double level) 
 
 }  // namespace
 
-void make(Course& c, const FloatingTapping& d, const Situation& s) {
+void write_steps(Course& c, const FloatingTapping& d, const Situation& s) {
     const Hole h = hole_of(c, d, s);
     const double factor = d.rpm_factor.value_or(1);
     const Turning in = turning_of_tap(c, d, s), out{in.speed * factor, -in.direction};
@@ -128,7 +128,7 @@ void make(Course& c, const FloatingTapping& d, const Situation& s) {
     if (!whole_way) rapid_to_w(c, h.end);
 }
 
-void make(Course& c, const RigidTapping& d, const Situation& s) {
+void write_steps(Course& c, const RigidTapping& d, const Situation& s) {
     const Rigid r = rigid_of(c, d, s);
     if (!c.ready()) return;
     approach(c, r.hole);

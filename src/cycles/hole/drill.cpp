@@ -57,7 +57,7 @@ void machine_function(Course& c, double number) {
 }  // namespace
 
 /// Old form: the tool stands at the clearance, which it also retracts to.
-void make(Course& c, const OldPecking& d, const Situation& s) {
+void write_steps(Course& c, const OldPecking& d, const Situation& s) {
     const double top = c.known(s.at.z, "the tool's height");
     const double surface = top - std::abs(d.clearance);  // older programs write it with the depth's sign
     const double feed = c.feed_in_force_or(d.feed_plunge, Role::feed_plunge, s.feed);
@@ -72,7 +72,7 @@ void make(Course& c, const OldPecking& d, const Situation& s) {
     }
 }
 
-void make(Course& c, const DepthDrilling& d, const Situation& s) {
+void write_steps(Course& c, const DepthDrilling& d, const Situation& s) {
     Heights h = heights_of(d);
     h.bottom -= point_length(c, d.depth_reference, s);
     if (!c.ready()) return;
@@ -90,7 +90,7 @@ void make(Course& c, const DepthDrilling& d, const Situation& s) {
     c.rapid_w(h.end);
 }
 
-void make(Course& c, const UniversalDrilling& d, const Situation& s) {
+void write_steps(Course& c, const UniversalDrilling& d, const Situation& s) {
     Heights h = heights_of(d);
     h.bottom -= point_length(c, d.depth_reference, s);
     const double back = unless_0(d.feed_retract, d.feed_plunge);
@@ -118,7 +118,7 @@ void make(Course& c, const UniversalDrilling& d, const Situation& s) {
     c.rapid_w(h.end);
 }
 
-void make(Course& c, const UniversalPecking& d, const Situation& s) {
+void write_steps(Course& c, const UniversalPecking& d, const Situation& s) {
     Heights h = heights_of(d);
     h.bottom -= point_length(c, d.depth_reference, s);
     const double every = d.chip_break_depth.value_or(0), first_stop = d.stop_distance_first.value_or(0);
@@ -144,7 +144,7 @@ void make(Course& c, const UniversalPecking& d, const Situation& s) {
     c.rapid_w(h.end);
 }
 
-void make(Course& c, const Centring& d, const Situation& s) {
+void write_steps(Course& c, const Centring& d, const Situation& s) {
     const double depth =
         d.centre_by_diameter.value_or(0) != 0 ? centring_depth(c, d, s) : asked(c, d, &Centring::depth, Must::go_deep);
     if (!c.ready()) return;
@@ -154,7 +154,7 @@ void make(Course& c, const Centring& d, const Situation& s) {
     c.rapid_w(d.surface + std::max(d.clearance, d.second_clearance.value_or(0)));
 }
 
-void make(Course& c, const SingleLipDrilling& d, const Situation& s) {
+void write_steps(Course& c, const SingleLipDrilling& d, const Situation& s) {
     const Heights h = heights_of(d);
     const double deepened = d.deepened_start.value_or(0);
     const double approach = feed_to_start(c, d, h.surface - h.bottom);

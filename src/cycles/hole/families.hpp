@@ -8,41 +8,41 @@
 
 namespace obrys::cycles {
 
-void make(Course&, const OldPecking&, const Situation&);
-void make(Course&, const DepthDrilling&, const Situation&);
-void make(Course&, const UniversalDrilling&, const Situation&);
-void make(Course&, const UniversalPecking&, const Situation&);
-void make(Course&, const Centring&, const Situation&);
-void make(Course&, const SingleLipDrilling&, const Situation&);
+void write_steps(Course&, const OldPecking&, const Situation&);
+void write_steps(Course&, const DepthDrilling&, const Situation&);
+void write_steps(Course&, const UniversalDrilling&, const Situation&);
+void write_steps(Course&, const UniversalPecking&, const Situation&);
+void write_steps(Course&, const Centring&, const Situation&);
+void write_steps(Course&, const SingleLipDrilling&, const Situation&);
 
-void make(Course&, const Reaming&, const Situation&);
-void make(Course&, const DepthBoring&, const Situation&);
-void make(Course&, const Counterboring&, const Situation&);
-void make(Course&, const BoreMilling&, const Situation&);
+void write_steps(Course&, const Reaming&, const Situation&);
+void write_steps(Course&, const DepthBoring&, const Situation&);
+void write_steps(Course&, const Counterboring&, const Situation&);
+void write_steps(Course&, const BoreMilling&, const Situation&);
 
-void make(Course&, const OldFloatingTapping&, const Situation&);
-void make(Course&, const DepthFloatingTapping&, const Situation&);
-void make(Course&, const OldRigidTapping&, const Situation&);
-void make(Course&, const DepthRigidTapping&, const Situation&);
-void make(Course&, const ChipBreakTapping&, const Situation&);
-void make(Course&, const ThreadCutting&, const Situation&);
+void write_steps(Course&, const OldFloatingTapping&, const Situation&);
+void write_steps(Course&, const DepthFloatingTapping&, const Situation&);
+void write_steps(Course&, const OldRigidTapping&, const Situation&);
+void write_steps(Course&, const DepthRigidTapping&, const Situation&);
+void write_steps(Course&, const ChipBreakTapping&, const Situation&);
+void write_steps(Course&, const ThreadCutting&, const Situation&);
 
-void make(Course&, const ThreadMilling&, const Situation&);
-void make(Course&, const CountersunkThreadMilling&, const Situation&);
-void make(Course&, const DrilledThreadMilling&, const Situation&);
-void make(Course&, const HelicalThreadMilling&, const Situation&);
-void make(Course&, const OutsideThreadMilling&, const Situation&);
+void write_steps(Course&, const ThreadMilling&, const Situation&);
+void write_steps(Course&, const CountersunkThreadMilling&, const Situation&);
+void write_steps(Course&, const DrilledThreadMilling&, const Situation&);
+void write_steps(Course&, const HelicalThreadMilling&, const Situation&);
+void write_steps(Course&, const OutsideThreadMilling&, const Situation&);
 
-void make(Course&, const Drilling&, const Situation&);
-void make(Course&, const ChipBreakDrilling&, const Situation&);
-void make(Course&, const PeckDrilling&, const Situation&);
-void make(Course&, const DeepDrilling&, const Situation&);
-void make(Course&, const FloatingTapping&, const Situation&);
-void make(Course&, const RigidTapping&, const Situation&);
-void make(Course&, const FeedBoring&, const Situation&);
-void make(Course&, const StopBoring&, const Situation&);
-void make(Course&, const OrientedBoring&, const Situation&);
-void make(Course&, const BackBoring&, const Situation&);
-void make(Course&, const ManualBoring&, const Situation&);
+void write_steps(Course&, const Drilling&, const Situation&);
+void write_steps(Course&, const ChipBreakDrilling&, const Situation&);
+void write_steps(Course&, const PeckDrilling&, const Situation&);
+void write_steps(Course&, const DeepDrilling&, const Situation&);
+void write_steps(Course&, const FloatingTapping&, const Situation&);
+void write_steps(Course&, const RigidTapping&, const Situation&);
+void write_steps(Course&, const FeedBoring&, const Situation&);
+void write_steps(Course&, const StopBoring&, const Situation&);
+void write_steps(Course&, const OrientedBoring&, const Situation&);
+void write_steps(Course&, const BackBoring&, const Situation&);
+void write_steps(Course&, const ManualBoring&, const Situation&);
 
 }  // namespace obrys::cycles

@@ -58,23 +58,23 @@ void tap_rigid(Course& c, const Heights& h, double pitch, const Situation& s) {
 
 }  // namespace
 
-void make(Course& c, const OldFloatingTapping& d, const Situation& s) {
+void write_steps(Course& c, const OldFloatingTapping& d, const Situation& s) {
     const Heights h = heights_below_tool(c, d, s);
     const double feed = c.feed_in_force_or(d.feed_plunge, Role::feed_plunge, s.feed);
     tap_floating(c, h, feed, d.dwell.value_or(0), s);
 }
 
-void make(Course& c, const DepthFloatingTapping& d, const Situation& s) {
+void write_steps(Course& c, const DepthFloatingTapping& d, const Situation& s) {
     tap_floating(c, heights_of(d), d.feed_plunge, d.dwell_bottom.value_or(0), s);
 }
 
-void make(Course& c, const OldRigidTapping& d, const Situation& s) {
+void write_steps(Course& c, const OldRigidTapping& d, const Situation& s) {
     tap_rigid(c, heights_below_tool(c, d, s), d.pitch, s);
 }
 
-void make(Course& c, const DepthRigidTapping& d, const Situation& s) { tap_rigid(c, heights_of(d), d.pitch, s); }
+void write_steps(Course& c, const DepthRigidTapping& d, const Situation& s) { tap_rigid(c, heights_of(d), d.pitch, s); }
 
-void make(Course& c, const ChipBreakTapping& d, const Situation& s) {
+void write_steps(Course& c, const ChipBreakTapping& d, const Situation& s) {
     const Heights h = heights_of(d);
     const double speed = read_speed(c, s), every = d.chip_break_depth.value_or(0);
     check_breaks(c, every, h.surface - h.bottom);
@@ -101,7 +101,7 @@ void make(Course& c, const ChipBreakTapping& d, const Situation& s) {
 }
 
 /// One pass from where the tool stands, in the direction of the depth's sign; the spindle stops at its end.
-void make(Course& c, const ThreadCutting& d, const Situation& s) {
+void write_steps(Course& c, const ThreadCutting& d, const Situation& s) {
     const double from = c.known(s.at.z, "the tool's height");
     turning(c, s);
     if (d.depth == 0) return c.not_executed(Role::depth);

@@ -174,7 +174,7 @@ ThreadHole hole_of(Course& c, const DrilledThreadMilling& d, const Job& j) {
 
 }  // namespace
 
-void make(Course& c, const ThreadMilling& d, const Situation& s) {
+void write_steps(Course& c, const ThreadMilling& d, const Situation& s) {
     const Job j = job_of(c, d, s, false);
     if (j.depth == 0) return c.not_executed(Role::depth);
     if (!c.ready()) return;
@@ -183,7 +183,7 @@ void make(Course& c, const ThreadMilling& d, const Situation& s) {
     retract(c, j);
 }
 
-void make(Course& c, const CountersunkThreadMilling& d, const Situation& s) {
+void write_steps(Course& c, const CountersunkThreadMilling& d, const Situation& s) {
     Job j = job_of(c, d, s, false);
     j.threads_per_step = 0;
     const Front front = front_of(c, d, &CountersunkThreadMilling::feed_countersink);
@@ -197,7 +197,7 @@ void make(Course& c, const CountersunkThreadMilling& d, const Situation& s) {
     retract(c, j);
 }
 
-void make(Course& c, const DrilledThreadMilling& d, const Situation& s) {
+void write_steps(Course& c, const DrilledThreadMilling& d, const Situation& s) {
     Job j = job_of(c, d, s, false);
     j.threads_per_step = 0;
     const Front front = front_of(c, d, &DrilledThreadMilling::feed_plunge);
@@ -212,7 +212,7 @@ void make(Course& c, const DrilledThreadMilling& d, const Situation& s) {
 }
 
 /// Continuous helix from the surface down to the depth; the hand decides the sense.
-void make(Course& c, const HelicalThreadMilling& d, const Situation& s) {
+void write_steps(Course& c, const HelicalThreadMilling& d, const Situation& s) {
     Job j = job_of(c, d, s, false);
     j.threads_per_step = 1;
     j.sense = j.pitch > 0 ? -1 : 1;
@@ -229,7 +229,7 @@ void make(Course& c, const HelicalThreadMilling& d, const Situation& s) {
     retract(c, j);
 }
 
-void make(Course& c, const OutsideThreadMilling& d, const Situation& s) {
+void write_steps(Course& c, const OutsideThreadMilling& d, const Situation& s) {
     const Job j = job_of(c, d, s, true);
     const Front front = front_of(c, d, &OutsideThreadMilling::feed_countersink);
     if (!c.ready()) return;

@@ -11,12 +11,13 @@ namespace {
 template <class Cycle>
 class typed_holes : public ::testing::Test {};
 
-using All = ::testing::Types<OldPecking, DepthDrilling, UniversalDrilling, UniversalPecking, Centring, SingleLipDrilling,
-                           Reaming, DepthBoring, Counterboring, BoreMilling, OldFloatingTapping, DepthFloatingTapping,
-                           OldRigidTapping, DepthRigidTapping, ChipBreakTapping, ThreadCutting, ThreadMilling,
-                           CountersunkThreadMilling, DrilledThreadMilling, HelicalThreadMilling, OutsideThreadMilling,
-                           Drilling, ChipBreakDrilling, PeckDrilling, DeepDrilling, FloatingTapping, RigidTapping,
-                           FeedBoring, StopBoring, OrientedBoring, BackBoring, ManualBoring>;
+using All =
+    ::testing::Types<OldPecking, DepthDrilling, UniversalDrilling, UniversalPecking, Centring, SingleLipDrilling,
+                     Reaming, DepthBoring, Counterboring, BoreMilling, OldFloatingTapping, DepthFloatingTapping,
+                     OldRigidTapping, DepthRigidTapping, ChipBreakTapping, ThreadCutting, ThreadMilling,
+                     CountersunkThreadMilling, DrilledThreadMilling, HelicalThreadMilling, OutsideThreadMilling,
+                     Drilling, ChipBreakDrilling, PeckDrilling, DeepDrilling, FloatingTapping, RigidTapping, FeedBoring,
+                     StopBoring, OrientedBoring, BackBoring, ManualBoring>;
 TYPED_TEST_SUITE(typed_holes, All);
 
 TYPED_TEST(typed_holes, SaysByRolesWhatItReadsAgain) { expect_round_trip<TypeParam>(); }

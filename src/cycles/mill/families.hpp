@@ -7,25 +7,25 @@
 
 namespace obrys::cycles {
 
-void make(Course&, const RectangularPocket&, const Situation&);
-void make(Course&, const CircularPocket&, const Situation&);
-void make(Course&, const OldRectangularPocket&, const Situation&);
-void make(Course&, const OldCircularPocket&, const Situation&);
+void write_steps(Course&, const RectangularPocket&, const Situation&);
+void write_steps(Course&, const CircularPocket&, const Situation&);
+void write_steps(Course&, const OldRectangularPocket&, const Situation&);
+void write_steps(Course&, const OldCircularPocket&, const Situation&);
 
-void make(Course&, const Slot&, const Situation&);
-void make(Course&, const RoundSlot&, const Situation&);
-void make(Course&, const ReciprocatingSlot&, const Situation&);
-void make(Course&, const ReciprocatingRoundSlot&, const Situation&);
+void write_steps(Course&, const Slot&, const Situation&);
+void write_steps(Course&, const RoundSlot&, const Situation&);
+void write_steps(Course&, const ReciprocatingSlot&, const Situation&);
+void write_steps(Course&, const ReciprocatingRoundSlot&, const Situation&);
 
-void make(Course&, const RectangularStud&, const Situation&);
-void make(Course&, const CircularStud&, const Situation&);
-void make(Course&, const RectangularPocketFinishing&, const Situation&);
-void make(Course&, const RectangularStudFinishing&, const Situation&);
-void make(Course&, const CircularPocketFinishing&, const Situation&);
-void make(Course&, const CircularStudFinishing&, const Situation&);
+void write_steps(Course&, const RectangularStud&, const Situation&);
+void write_steps(Course&, const CircularStud&, const Situation&);
+void write_steps(Course&, const RectangularPocketFinishing&, const Situation&);
+void write_steps(Course&, const RectangularStudFinishing&, const Situation&);
+void write_steps(Course&, const CircularPocketFinishing&, const Situation&);
+void write_steps(Course&, const CircularStudFinishing&, const Situation&);
 
-void make(Course&, const Multipass&, const Situation&);
-void make(Course&, const RuledSurface&, const Situation&);
-void make(Course&, const FaceMilling&, const Situation&);
+void write_steps(Course&, const Multipass&, const Situation&);
+void write_steps(Course&, const RuledSurface&, const Situation&);
+void write_steps(Course&, const FaceMilling&, const Situation&);
 
 }  // namespace obrys::cycles

@@ -126,7 +126,7 @@ void one_way(Course& c, const Face& f, double w, double feed) {
 
 }  // namespace
 
-void make(Course& c, const Multipass& d, const Situation& s) {
+void write_steps(Course& c, const Multipass& d, const Situation& s) {
     const Vec3 start{d.start_u, d.start_v, d.start_w};
     const double length = d.length, width = d.width, r = c.tool_radius(s);
     c.known(s.at.z, "the tool's height");
@@ -149,7 +149,7 @@ void make(Course& c, const Multipass& d, const Situation& s) {
     c.rapid_w(above);
 }
 
-void make(Course& c, const RuledSurface& d, const Situation& s) {
+void write_steps(Course& c, const RuledSurface& d, const Situation& s) {
     const Vec3 p1{d.start_u, d.start_v, d.start_w}, p2{d.second_u, d.second_v, d.second_w};
     const Vec3 p3{d.third_u, d.third_v, d.third_w}, p4{d.fourth_u, d.fourth_v, d.fourth_w};
     const double mill = d.feed_mill, diameter = 2 * c.tool_radius(s);
@@ -171,7 +171,7 @@ void make(Course& c, const RuledSurface& d, const Situation& s) {
     c.rapid_w(highest + diameter);
 }
 
-void make(Course& c, const FaceMilling& d, const Situation& s) {
+void write_steps(Course& c, const FaceMilling& d, const Situation& s) {
     const Face f = face_of(c, d, s);
     if (!c.ready()) return;
     const auto levels = face_levels(c, f);

@@ -61,7 +61,7 @@ PocketData old_data(Course& c, const OldPocket& d, const Situation& s) {
 
 }  // namespace
 
-void make(Course& c, const RectangularPocket& d, const Situation& s) {
+void write_steps(Course& c, const RectangularPocket& d, const Situation& s) {
     const PocketData p = pocket_data(c, d, s);
     const double corner = corner_of(c, d.corner_radius, d.length, d.width);
     if (!c.ready()) return;
@@ -70,14 +70,14 @@ void make(Course& c, const RectangularPocket& d, const Situation& s) {
     mill_pocket(c, p, {{{geom::moved(rectangle(d.length, d.width, corner), centre)}}, {p.rotation, p.called}, centre});
 }
 
-void make(Course& c, const CircularPocket& d, const Situation& s) {
+void write_steps(Course& c, const CircularPocket& d, const Situation& s) {
     const PocketData p = pocket_data(c, d, s);
     if (!c.ready()) return;
     c.assume(rings);
     mill_pocket(c, p, {{{disc(d.diameter / 2)}}, {0, p.called}, {}});
 }
 
-void make(Course& c, const OldRectangularPocket& d, const Situation& s) {
+void write_steps(Course& c, const OldRectangularPocket& d, const Situation& s) {
     using Cycle = OldRectangularPocket;
     const PocketData p = old_data(c, d, s);
     // The sides are named by axes; the working plane is X Y, Y Z or Z X.
@@ -92,7 +92,7 @@ void make(Course& c, const OldRectangularPocket& d, const Situation& s) {
     mill_pocket(c, p, {{{rectangle(length, width, corner)}}, {0, p.called}, {}});
 }
 
-void make(Course& c, const OldCircularPocket& d, const Situation& s) {
+void write_steps(Course& c, const OldCircularPocket& d, const Situation& s) {
     const PocketData p = old_data(c, d, s);
     if (!c.ready()) return;
     mill_pocket(c, p, {{{disc(d.radius)}}, {0, p.called}, {}});

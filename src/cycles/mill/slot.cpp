@@ -148,7 +148,7 @@ void reciprocate(Course& c, const Reciprocation& r, const Contour& figure_middle
 
 }  // namespace
 
-void make(Course& c, const Slot& d, const Situation& s) {
+void write_steps(Course& c, const Slot& d, const Situation& s) {
     const PocketData p = pocket_data(c, d, s);
     if (d.width > d.length) c.fault(Role::width, "the slot is wider than long");
     if (!c.ready()) return;
@@ -163,7 +163,7 @@ void make(Course& c, const Slot& d, const Situation& s) {
                  {{{left}, {right}}, false}});
 }
 
-void make(Course& c, const RoundSlot& d, const Situation& s) {
+void write_steps(Course& c, const RoundSlot& d, const Situation& s) {
     PocketData p = pocket_data(c, d, s);
     BentSlot r = bent_of(c, d);
     const int position = p.position;
@@ -189,7 +189,7 @@ void make(Course& c, const RoundSlot& d, const Situation& s) {
         mill_pocket(c, p, {r.region(), r.where(i * step), {}, false, r.middle()});
 }
 
-void make(Course& c, const ReciprocatingSlot& d, const Situation& s) {
+void write_steps(Course& c, const ReciprocatingSlot& d, const Situation& s) {
     const double angle = geom::radians(d.rotation.value_or(0));
     const Reciprocation r = reciprocation_of(c, d, s);
     if (d.width > d.length) c.fault(Role::width, "the slot is wider than long");
@@ -199,7 +199,7 @@ void make(Course& c, const ReciprocatingSlot& d, const Situation& s) {
                 {angle, {d.centre_u, d.centre_v}});
 }
 
-void make(Course& c, const ReciprocatingRoundSlot& d, const Situation& s) {
+void write_steps(Course& c, const ReciprocatingRoundSlot& d, const Situation& s) {
     BentSlot slot = bent_of(c, d);
     slot.centre = {d.centre_u, d.centre_v};
     const Reciprocation r = reciprocation_of(c, d, s);

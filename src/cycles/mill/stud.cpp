@@ -119,7 +119,7 @@ void finish_circle(Course& c, const CircularFinishing& d, const Situation& s, bo
 
 }  // namespace
 
-void make(Course& c, const RectangularStud& d, const Situation& s) {
+void write_steps(Course& c, const RectangularStud& d, const Situation& s) {
     const PocketData p = pocket_data(c, d, s);
     c.not_below(Role::blank_length, d.blank_length, d.length);
     c.not_below(Role::blank_width, d.blank_width, d.width);
@@ -134,7 +134,7 @@ void make(Course& c, const RectangularStud& d, const Situation& s) {
     mill_stud(c, p, stud, beyond(d.length, d.width, corner, d.blank_length, d.blank_width));
 }
 
-void make(Course& c, const CircularStud& d, const Situation& s) {
+void write_steps(Course& c, const CircularStud& d, const Situation& s) {
     const PocketData p = pocket_data(c, d, s);
     c.not_below(Role::blank_diameter, d.blank_diameter, d.diameter);
     if (!c.ready()) return;
@@ -142,9 +142,11 @@ void make(Course& c, const CircularStud& d, const Situation& s) {
     mill_stud(c, p, {{disc(d.diameter / 2)}}, (d.blank_diameter - d.diameter) / 2);
 }
 
-void make(Course& c, const RectangularPocketFinishing& d, const Situation& s) { finish_rectangle(c, d, s, false); }
-void make(Course& c, const RectangularStudFinishing& d, const Situation& s) { finish_rectangle(c, d, s, true); }
-void make(Course& c, const CircularPocketFinishing& d, const Situation& s) { finish_circle(c, d, s, false); }
-void make(Course& c, const CircularStudFinishing& d, const Situation& s) { finish_circle(c, d, s, true); }
+void write_steps(Course& c, const RectangularPocketFinishing& d, const Situation& s) {
+    finish_rectangle(c, d, s, false);
+}
+void write_steps(Course& c, const RectangularStudFinishing& d, const Situation& s) { finish_rectangle(c, d, s, true); }
+void write_steps(Course& c, const CircularPocketFinishing& d, const Situation& s) { finish_circle(c, d, s, false); }
+void write_steps(Course& c, const CircularStudFinishing& d, const Situation& s) { finish_circle(c, d, s, true); }
 
 }  // namespace obrys::cycles

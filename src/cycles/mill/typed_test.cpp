@@ -10,10 +10,10 @@ namespace {
 template <class Cycle>
 class typed_milling : public ::testing::Test {};
 
-using All = ::testing::Types<RectangularPocket, CircularPocket, OldRectangularPocket, OldCircularPocket, Slot, RoundSlot,
-                           ReciprocatingSlot, ReciprocatingRoundSlot, RectangularStud, CircularStud,
-                           RectangularPocketFinishing, RectangularStudFinishing, CircularPocketFinishing,
-                           CircularStudFinishing, Multipass, RuledSurface, FaceMilling>;
+using All = ::testing::Types<RectangularPocket, CircularPocket, OldRectangularPocket, OldCircularPocket, Slot,
+                             RoundSlot, ReciprocatingSlot, ReciprocatingRoundSlot, RectangularStud, CircularStud,
+                             RectangularPocketFinishing, RectangularStudFinishing, CircularPocketFinishing,
+                             CircularStudFinishing, Multipass, RuledSurface, FaceMilling>;
 TYPED_TEST_SUITE(typed_milling, All);
 
 TYPED_TEST(typed_milling, SaysByRolesWhatItReadsAgain) { expect_round_trip<TypeParam>(); }

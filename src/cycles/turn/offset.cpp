@@ -118,7 +118,7 @@ Fault lay_for_finishing(Profile& p) {
 
 }  // namespace
 
-void make(TurningPath& path, const OffsetFinishing& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const OffsetFinishing& d, const TurningDemand& demand) {
     Course& c = path.course();
     const ContourStart start = start_of(path, d, demand);
     const double first = d.allowance_first.value_or(0) / start.unit;

@@ -34,19 +34,19 @@ struct Ends {
 /// The number of passes in a value; far too many are a fault.
 [[nodiscard]] double whole_passes(Course& course, Role role, const Said& said, double otherwise);
 
-void make(TurningPath&, const OffsetFinishing&, const TurningDemand&);
-void make(TurningPath&, const RoughingAlong&, const TurningDemand&);
-void make(TurningPath&, const RoughingAcross&, const TurningDemand&);
-void make(TurningPath&, const ContourFinishing&, const TurningDemand&);
-void make(TurningPath&, const RemovalAlong&, const TurningDemand&);
-void make(TurningPath&, const RemovalAcross&, const TurningDemand&);
-void make(TurningPath&, const PatternRepeating&, const TurningDemand&);
-void make(TurningPath&, const PecksAlong&, const TurningDemand&);
-void make(TurningPath&, const PecksAcross&, const TurningDemand&);
-void make(TurningPath&, const BoxAlong&, const TurningDemand&);
-void make(TurningPath&, const BoxAcross&, const TurningDemand&);
-void make(TurningPath&, const BoxThread&, const TurningDemand&);
-void make(TurningPath&, const ThreadPasses&, const TurningDemand&);
-void make(TurningPath&, const DegressiveThread&, const TurningDemand&);
+void write_steps(TurningPath&, const OffsetFinishing&, const TurningDemand&);
+void write_steps(TurningPath&, const RoughingAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const RoughingAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const ContourFinishing&, const TurningDemand&);
+void write_steps(TurningPath&, const RemovalAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const RemovalAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const PatternRepeating&, const TurningDemand&);
+void write_steps(TurningPath&, const PecksAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const PecksAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxThread&, const TurningDemand&);
+void write_steps(TurningPath&, const ThreadPasses&, const TurningDemand&);
+void write_steps(TurningPath&, const DegressiveThread&, const TurningDemand&);
 
 }  // namespace obrys::cycles

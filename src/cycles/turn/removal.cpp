@@ -198,7 +198,7 @@ void remove(TurningPath& path, const StockRemoval& d, const TurningDemand& deman
 
 }  // namespace
 
-void make(TurningPath& path, const ContourFinishing&, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const ContourFinishing&, const TurningDemand& demand) {
     Course& c = path.course();
     const Vec2 start = begin(c, demand);
     if (!c.ready()) return;
@@ -206,10 +206,14 @@ void make(TurningPath& path, const ContourFinishing&, const TurningDemand& deman
     path.rapid(start);
 }
 
-void make(TurningPath& path, const RemovalAlong& d, const TurningDemand& demand) { remove(path, d, demand, false); }
-void make(TurningPath& path, const RemovalAcross& d, const TurningDemand& demand) { remove(path, d, demand, true); }
+void write_steps(TurningPath& path, const RemovalAlong& d, const TurningDemand& demand) {
+    remove(path, d, demand, false);
+}
+void write_steps(TurningPath& path, const RemovalAcross& d, const TurningDemand& demand) {
+    remove(path, d, demand, true);
+}
 
-void make(TurningPath& path, const PatternRepeating& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const PatternRepeating& d, const TurningDemand& demand) {
     Course& c = path.course();
     const Vec2 start = begin(c, demand), allowance = allowance_of(d), relief{d.relief_u, d.relief_v};
     const int passes = c.whole(Role::passes, d.passes, 1, 1, 10'000, "the number of passes");

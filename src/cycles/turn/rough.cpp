@@ -328,7 +328,11 @@ void rough(TurningPath& path, const ParallelRoughing& d, const TurningDemand& de
 
 }  // namespace
 
-void make(TurningPath& path, const RoughingAlong& d, const TurningDemand& demand) { rough(path, d, demand, false); }
-void make(TurningPath& path, const RoughingAcross& d, const TurningDemand& demand) { rough(path, d, demand, true); }
+void write_steps(TurningPath& path, const RoughingAlong& d, const TurningDemand& demand) {
+    rough(path, d, demand, false);
+}
+void write_steps(TurningPath& path, const RoughingAcross& d, const TurningDemand& demand) {
+    rough(path, d, demand, true);
+}
 
 }  // namespace obrys::cycles

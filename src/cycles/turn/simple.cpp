@@ -89,17 +89,17 @@ void run_pecks(TurningPath& path, const TurningPecks& p) {
 
 }  // namespace
 
-void make(TurningPath& path, const PecksAlong& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const PecksAlong& d, const TurningDemand& demand) {
     run_pecks(path, pecks_of(path.course(), d, demand.situation, true));
 }
-void make(TurningPath& path, const PecksAcross& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const PecksAcross& d, const TurningDemand& demand) {
     run_pecks(path, pecks_of(path.course(), d, demand.situation, false));
 }
 
-void make(TurningPath& path, const BoxAlong& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const BoxAlong& d, const TurningDemand& demand) {
     box(path, ends_of(path.course(), d.target_u, d.target_v, demand.situation), d.taper_v.value_or(0), true);
 }
-void make(TurningPath& path, const BoxAcross& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const BoxAcross& d, const TurningDemand& demand) {
     box(path, ends_of(path.course(), d.target_u, d.target_v, demand.situation), d.taper_u.value_or(0), false);
 }
 

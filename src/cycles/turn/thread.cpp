@@ -153,7 +153,7 @@ std::vector<double> depths_of(Course& c, const Depths& d) {
 
 }  // namespace
 
-void make(TurningPath& path, const DegressiveThread& said, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const DegressiveThread& said, const TurningDemand& demand) {
     Course& c = path.course();
     const Degressive d = degressive_of(c, said, demand.situation);
     if (!c.ready()) return;
@@ -167,7 +167,7 @@ void make(TurningPath& path, const DegressiveThread& said, const TurningDemand& 
     path.rapid(d.unit * d.end);
 }
 
-void make(TurningPath& path, const BoxThread& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const BoxThread& d, const TurningDemand& demand) {
     Course& c = path.course();
     const Line l = line_of(c, d, ends_of(c, d.target_u, d.target_v, demand.situation));
     if (!c.ready()) return;
@@ -175,7 +175,7 @@ void make(TurningPath& path, const BoxThread& d, const TurningDemand& demand) {
     path.rapid(l.home);
 }
 
-void make(TurningPath& path, const ThreadPasses& d, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const ThreadPasses& d, const TurningDemand& demand) {
     Course& c = path.course();
     const Ends ends = ends_of(c, d.target_u, d.target_v, demand.situation);
     Line l = line_of(c, d, ends);

@@ -15,7 +15,7 @@ struct TurningRow {
 
 template <class Cycle>
 void expand_turned(TurningPath& path, const TurningDemand& demand) {
-    make(path, read<Cycle>(path.course(), demand.cycle), demand);
+    write_steps(path, read<Cycle>(path.course(), demand.cycle), demand);
 }
 
 template <class... Cycle>
