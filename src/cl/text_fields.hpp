@@ -136,6 +136,15 @@ void fields(Io& io, Of<Io, Spindle>& s) {
     io.perhaps("held", s.held);
 }
 template <class Io>
+void fields(Io& io, Of<Io, OtherSpindle>& s) {
+    io.whole(s.number);
+    io.perhaps("speed", s.speed);
+    io.perhaps(spindle_senses, s.direction);
+    io.perhaps("held", s.held);
+    io.perhaps("limit", s.limit);
+    io.whole("function", s.function);
+}
+template <class Io>
 void fields(Io& io, Of<Io, ToolChange>& s) {
     io.tool_number(s.number);
     io.word("edge");
@@ -180,6 +189,8 @@ void fields(Io& io, Of<Io, Coolant>& s) {
 template <class Io>
 void fields(Io& io, Of<Io, Stop>& s) {
     io.choice(stop_kinds, s.kind);
+    io.flag("pallets", s.pallets);
+    io.flag("stays", s.stays);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Comment>& s) {
@@ -189,6 +200,7 @@ template <class Io>
 void fields(Io& io, Of<Io, Auxiliary>& s) {
     io.letter(s.letter);
     io.whole(s.number);
+    io.whole("extension", s.extension);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Output>& s) {
@@ -285,6 +297,13 @@ void fields(Io& io, Of<Io, PartBegin>& s) {
     io.whole(s.pass);
     io.word("of");
     io.whole(s.passes);
+    bool given = !s.arguments.empty();
+    io.flag("with", given);
+    if (!given) return;
+    io.each_text(s.arguments, [&](auto& a) {
+        io.quoted(a.name);
+        io.number_or_text(a.value, a.text);
+    });
 }
 template <class Io>
 void fields(Io& io, Of<Io, CompensationBegin>& s) {
