@@ -38,7 +38,7 @@ void staying_tooth_feed(Moving& run) {
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed per tooth FZ needs the number of teeth of the tool, which is not known: so the feed is not",
                   "give teeth of the tool in the job, which stands for $TC_DPNT");
-    b.put(Code::feed, teeth == 0 ? NAN : *m.tooth_feed * teeth);
+    b.put(Code::feed, teeth == 0 ? std::nan("") : *m.tooth_feed * teeth);
     b.put(Code::feed_per_tooth, *m.tooth_feed);  // why the feed is not known has been said
     b.use(Code::feed_per_tooth);
 }
@@ -100,7 +100,8 @@ void feed_word(Moving& run) {
 /// FB: the path of this block is run at another feed.
 void begin_feed_alone(Moving& run) {
     double f = *run.block.feed_alone * feed_factor(run);
-    if (run.modal.tooth_feed) f *= teeth_of(run) > 0 ? teeth_of(run) : NAN;  // it is one per tooth, too
+    if (run.modal.tooth_feed)
+        f *= teeth_of(run) > 0 ? static_cast<double>(teeth_of(run)) : std::nan("");  // it is one per tooth, too
     if (f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
     if (std::isnan(f))
         unchecked(run, codes::unknown_value, run.here(),
