@@ -157,7 +157,10 @@ inline Step any_step(std::size_t kind) {
                              *rc::gen::arbitrary<std::uint32_t>()};
         case 18:
             return PartBegin{*rc::gen::element(PartKind::call, PartKind::label, PartKind::repetition), text(),
-                             *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>()};
+                             *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>(),
+                             *rc::gen::arbitrary<bool>()
+                                 ? std::vector<PartArgument>{{text(), number(), {}}, {text(), NAN, text()}}
+                                 : std::vector<PartArgument>{}};
         case 19: return PartEnd{};
         case 13: return any_cycle();
         case 14: {

@@ -123,7 +123,9 @@ std::set<std::string> changes_of(const std::string& line) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         std::vector<std::string> changed = words;
         const auto with = [&](const std::string& word) { changed[i] = word, offer(changed); };
-        if (is_number(words[i])) {
+        if (words[i] == "?") {
+            with("7");
+        } else if (is_number(words[i])) {
             with(base::trim(words[i]).find('.') == std::string_view::npos ? std::to_string(std::stoi(words[i]) + 1)
                                                                           : "0.37");
             with("?");

@@ -56,12 +56,15 @@ TEST(Cursor, MovesHaveTheToolAxisAndAdditionalAxesAtBothEnds) {
     const geom::Vec3 tilted{0.6, 0, 0.8};
     cl::Linear turns{{1, 2, 3}, tilted};
     turns.ends = {b};
-    cl::Arc goes_on{{4, 2, 3}};
+    cl::Arc goes_on;
+    goes_on.to = {4, 2, 3};
     goes_on.axis = {0, 0.6, 0.8};
     goes_on.ends = {c};
-    cl::Thread back{{4, 2, 9}};
+    cl::Thread back;
+    back.to = {4, 2, 9};
     back.ends = {b_back};
-    cl::Spline last{{5, 5, 5}};
+    cl::Spline last;
+    last.to = {5, 5, 5};
     last.axes = {{{'C'}, 120, 0, 0, 0, true}};
     Cursor cursor;
     const cl::Record r0 = rec(cl::Linear{{0, 0, 0}}), r1 = rec(turns), r2 = rec(goes_on), r3 = rec(back),

@@ -108,7 +108,7 @@ TEST(Doors, EveryMoveCountsFromTheZeroThatItsProgramHasSelected) {
                 for (const bool both_before : {false, true}) {
                     const auto move = [&](int x) {
                         return (klartext ? "L X+" + std::to_string(x) + " Y+2 Z+30 R0 FMAX"
-                                         : "G0 X" + std::to_string(x) + " Y2 Z30") +
+                                         : "G0 X" + std::to_string(x) + ". Y2. Z30.") +
                                "\n";
                     };
                     const std::string text = zeros.begin + zeros.all[first].word + "\n" + (both_before ? "" : move(1)) +
