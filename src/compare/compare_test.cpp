@@ -29,6 +29,37 @@ TEST(Compare, EachAspectIsSeen) {
               "frame");
 }
 
+/// Both end; what the control does then besides is told and is nothing that the machine does to the part.
+TEST(Compare, EndsOfOneControlThatAreNotTheSame) {
+    const auto ending = [](const std::string& stop) { return steps_of({"linear 1 0 0", "linear 2 0 0", stop}); };
+    constexpr Tolerance same{.same_control = true};
+    for (const char* other : {"stop end pallets", "stop end stays"}) {
+        const Result r = compared(ending("stop end"), ending(other), same);
+        ASSERT_NE(r.of(Aspect::events), nullptr) << other;
+        EXPECT_FALSE(r.of(Aspect::events)->is_done);
+        EXPECT_EQ(compared(ending("stop end"), ending(other), {.is_written_from_a = true}).of(Aspect::events), nullptr);
+        EXPECT_EQ(compared(ending(other), ending(other), same).of(Aspect::events), nullptr);
+    }
+    const Result r = compared(ending("stop program"), ending("stop program pallets"), same);
+    ASSERT_NE(r.of(Aspect::events), nullptr);
+    EXPECT_TRUE(r.of(Aspect::events)->is_done);
+}
+
+/// What a program is given is told of two programs of one control; what is written may have it in its moves.
+TEST(Compare, ArgumentsOfCallsAreTold) {
+    const auto called = [](const std::string& with) {
+        return steps_of({"linear 1 0 0", "call \"P\" pass 1 of 1" + with, "linear 2 0 0", "part-end"});
+    };
+    constexpr Tolerance same{.same_control = true};
+    const std::string three = " with \"DEPTH\" 3 \"NAME\" \"A\"";
+    EXPECT_EQ(compared(called(three), called(three), same).of(Aspect::parts), nullptr);
+    for (const char* other :
+         {"", " with \"DEPTH\" 4 \"NAME\" \"A\"", " with \"DEPTH\" 3 \"NAME\" \"B\"", " with \"DEPTH\" 3"}) {
+        EXPECT_NE(compared(called(three), called(other), same).of(Aspect::parts), nullptr) << other;
+        EXPECT_EQ(compared(called(three), called(other), {.is_written_from_a = true}).of(Aspect::parts), nullptr);
+    }
+}
+
 TEST(Compare, PartsAndPreparationsAreSeenAndMoveNothing) {
     const std::vector<cl::Step> flat{line(10), line(20)};
     const auto called = [](std::uint64_t passes) {

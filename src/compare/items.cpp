@@ -16,6 +16,14 @@ bool ends_quietly(const Item& item) {
     return item.holding->spindle.direction == 0 && item.holding->coolant == cl::Coolant{};
 }
 
+/// Both programs end; what the control does then besides (it goes back to the beginning, changes pallets) is not the
+/// same.
+bool ends_otherwise(const Item& a, const Item& b) {
+    const auto* x = std::get_if<cl::Stop>(&a.step);
+    const auto* y = std::get_if<cl::Stop>(&b.step);
+    return x != nullptr && y != nullptr && !(*x == *y);
+}
+
 /// What is written from a program that says its end has to say it.
 bool needs_end(const Likeness& like, std::size_t side) { return like.is_written_from_a() && side == 0; }
 
@@ -117,6 +125,10 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
                       : "compensation ends before it begins anew; in the other it changes its side in one block");
     if (aspect_ == Aspect::cycles || aspect_ == Aspect::compensation) return;  // they tell places of their own
     if (aspect_ == Aspect::events) compare_state(like, found);
+    if (ends_otherwise(a, b) && like.same_control() && !like.is_written_from_a() && !found.has(aspect_)) {
+        found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
+        found.all.back().is_done = false;
+    }
     over_ = sides_[0].at.front() != sides_[1].at.front();
     if (over_)
         found.add(aspect_, &a, &b, a.moves,

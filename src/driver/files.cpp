@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/codes.hpp"
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 #include "driver/large_text.hpp"
 #include "driver/output_file.hpp"
 #include "read/fusion/listing.hpp"
-#include "shop/nearest.hpp"
 
 namespace obrys::driver {
 
@@ -36,7 +36,7 @@ std::string similar_names(const Storage& from, const fs::path& folder, std::stri
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const fs::path& path : from.list(folder)) {
         const std::string other = path.filename().string();
-        const std::size_t distance = shop::edit_distance(base::to_upper(name), base::to_upper(other));
+        const std::size_t distance = base::edit_distance(base::to_upper(name), base::to_upper(other));
         const std::size_t stem = fs::path(name).stem().string().size();
         if (distance > std::max<std::size_t>(stem > 3 ? 2 : 1, stem / 3)) continue;
         if (from.look(path).kind != StoredEntry::Kind::folder) near.emplace_back(distance, other);

@@ -145,6 +145,8 @@ constexpr program::Traits common{
                 .extended_count = 48},
     .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
+    // Bit 5 of parameter 3404: M02 goes back to the beginning, or stays; Haas 96-8000: M30 alone goes back.
+    .end_that_stays = 2,
     .function_letters = function_letters,
     .builders_letters = "PQ",
     .compensation_holds_plane = "37",
