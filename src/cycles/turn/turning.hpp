@@ -39,6 +39,7 @@
 /// open is named in Expansion::assumption.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cycles/cycle.hpp"
@@ -64,6 +65,8 @@ struct TurningDemand {
 };
 
 [[nodiscard]] bool is_turning_cycle(cl::CycleKind kind);
+/// What a call of the kind can say (contours.hpp, cuts.hpp); nothing of another kind.
+[[nodiscard]] std::span<const cl::CycleRole> roles_of_turning(cl::CycleKind kind);
 /// As `expand` for the kinds of this header.
 [[nodiscard]] Expansion expand_turning(const TurningDemand& demand);
 
