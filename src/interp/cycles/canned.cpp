@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cycles/expand/expand.hpp"
 #include "interp/cycles/cycles.hpp"
@@ -104,7 +105,10 @@ std::optional<double> repeats(Moving& run) {
         lose_position(run);
         return std::nullopt;
     }
-    alarm(run, codes::value_range, run.here(), "L must be a whole number of repetitions");
+    const base::Span word = place_of_word(run, Code::l);
+    const std::string_view text = base::trim(run.env.sources.text(word));
+    const std::string letter = word == run.here() || text.empty() ? "L" : std::string(text.substr(0, 1));
+    alarm(run, codes::value_range, word, base::to_upper(letter) + " must be a whole number of repetitions");
     return std::nullopt;
 }
 
