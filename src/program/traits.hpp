@@ -241,6 +241,8 @@ struct Traits {
     /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
     bool refuses_unready = false;
     PitchAlong pitch_along = PitchAlong::axis_of_word;
+    /// Q in a thread's block: degrees of the spindle at which it begins.
+    bool thread_begins_at_q = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     /// G98: a hole ends at the level where its series began or at R, whichever is higher; else at that level also where

@@ -163,6 +163,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     t.own_functions = t.passed_functions = accepted_fanuc_m(haas);
     t.pitch_along = program::PitchAlong::farthest_axis;
+    t.thread_begins_at_q = lathe;
     if (haas) t.kept = haas_kept;
     // FANUC B-63944EN, 4.1 "Positioning (G00)"; Haas: setting 335, linear rapid mode (docs/dialects/fanuc.md).
     if (haas) t.rapids = {program::RapidWay::each_axis, "setting 335 = NONE"};
