@@ -18,6 +18,7 @@ import sys
 HANDLER = re.compile(r"__ubsan_handle_float_cast_overflow(?:_abort)?\b")
 BY_NAME = re.compile(r"\b(?:l?lround|l?lrint)[fl]?\s*\(|\b(?:std::)?(?:stoi|stoll?|stoull?|atoi|atoll?|strtoll?|strtoull?|sscanf)\s*\(")
 OBJECT = re.compile(r"(\S+):\s+file format ")
+SECTION = re.compile(r"RELOCATION RECORDS FOR \[(.*)\]:$")
 LINE = re.compile(r"(/[^\s()]*:\d+)(?: \(discriminator \d+\))?$")
 COMMENT = re.compile(r"//[^\n]*")
 
@@ -38,8 +39,19 @@ def by_name(src):
 
 
 def casting(symbols):
-    """Archives of which an object names the handler, from the lines of `nm -A -u`: "libobrys_shop.a:toa.cpp.o: U name"."""
+    """Objects that name the handler, from the lines of `nm -A -u`: "…/toa.cpp.o: U name"."""
     return {line.split(":")[0] for line in symbols.split("\n") if HANDLER.search(line)}
+
+
+def sections(relocations):
+    """Sections from which the handler is called, from `objdump -r`: to disassemble all of an object takes a minute."""
+    found, section = set(), None
+    for line in relocations.split("\n"):
+        if match := SECTION.match(line):
+            section = match.group(1)
+        elif HANDLER.search(line):
+            found.add(section)
+    return sorted(found)
 
 
 def places(listing):
@@ -63,27 +75,28 @@ def in_source(place, src):
 
 
 def by_object(src, build, nm, objdump):
-    archives = sorted(build.glob("src/**/libobrys_*.a"))
-    if not archives:
-        return [f"{build}: no libraries"], 0
+    objects = sorted(o for o in build.glob("src/**/*.o") if "/obrys" in str(o).partition(".dir/")[0].rpartition("/CMakeFiles")[2])
+    if not objects:
+        return [f"{build}: no objects"], 0
 
     def said_by(*command):
         return subprocess.run([*map(str, command)], capture_output=True, text=True, check=True).stdout
 
     found = set()
-    for archive in sorted(casting(said_by(nm, "-A", "-u", *archives))):
-        found |= {in_source(p, src.resolve()) for p in places(said_by(objdump, "-dlr", archive)) or {archive}}
+    for one in sorted(casting(said_by(nm, "-A", "-u", *objects))):
+        for section in sections(said_by(objdump, "-r", one)):
+            found |= {in_source(p, src.resolve()) for p in places(said_by(objdump, "-dlr", "-j", section, one)) or {one}}
     found = {p for p in found if not p.split(":")[0].endswith(tuple(FOREIGN))}
-    return [f"{p}: casts a double to an integer: use base/whole.hpp" for p in sorted(found)], len(archives)
+    return [f"{p}: casts a double to an integer: use base/whole.hpp" for p in sorted(found)], len(objects)
 
 
 def main():
     src, *rest = sys.argv[1:]
-    complaints, archives = by_name(pathlib.Path(src)), 0
+    complaints, objects = by_name(pathlib.Path(src)), 0
     if rest:
-        more, archives = by_object(pathlib.Path(src), pathlib.Path(rest[0]), *rest[1:])
+        more, objects = by_object(pathlib.Path(src), pathlib.Path(rest[0]), *rest[1:])
         complaints += more
-    print("\n".join([*complaints, f"{archives} libraries, {len(complaints)} complaints"]))
+    print("\n".join([*complaints, f"{objects} objects, {len(complaints)} complaints"]))
     return 1 if complaints else 0
 
 

@@ -98,6 +98,11 @@ class Casts(InFolder):
                  "build/src/base/libobrys_base.a:text.cpp.o:                  U __ubsan_handle_add_overflow_abort\n")
         self.assertEqual(casts.casting(lines), {"build/src/shop/libobrys_shop.a", "build/src/geom/libobrys_geom.a"})
 
+    def test_sections_of_casts(self):
+        listing = ("RELOCATION RECORDS FOR [.text._ZN3one]:\nOFFSET TYPE VALUE\n00 R_X86_64_PLT32 memcpy-0x4\n\n"
+                   "RELOCATION RECORDS FOR [.text._ZN3two]:\n0a R_X86_64_PLT32 __ubsan_handle_float_cast_overflow_abort-0x4\n")
+        self.assertEqual(casts.sections(listing), [".text._ZN3two"])
+
     def test_places_of_casts(self):
         listing = ("unity_0_cxx.cxx.o:     file format elf64-x86-64\n0000 <f(double)>:\nf(double):\n/a/src/shop/toa.cpp:7\n"
                    "   4:\tcall 9 <x>\n\t\t\t5: R_X86_64_PLT32\t__ubsan_handle_add_overflow-0x4\n"
