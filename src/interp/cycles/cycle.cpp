@@ -165,6 +165,24 @@ void define_cycle(Cycling& run, const CycleDefinition& d) {
 
 void call_cycle(Cycling& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
 
+namespace {
+
+/// Climb or up-cut is what a milling cycle asks for; the manual at hand does not say which of them a mirror image
+/// leaves.
+void say_mirrored(Moving& run, const ActiveCycle& c) {
+    const auto& settings = c.definition->settings;
+    const bool directed = std::any_of(settings.begin(), settings.end(), [](const program::CycleSetting& s) {
+        return s.role == cl::CycleRole::direction;
+    });
+    if (!directed || run.capture != nullptr || !(geom::determinant(run.frame) < 0)) return;
+    assume(run, run.here(),
+           c.definition->name +
+               " in a mirror image: the path is taken to be mirrored with all else, so that the tool runs around the "
+               "figure the other way");
+}
+
+}  // namespace
+
 void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calling) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
@@ -194,7 +212,10 @@ void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calli
         std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
         const bool meant = !e || doubt_infeeds(run, c.definition->name, demand_of(run, c, instead), *e,
                                                [&](cl::CycleRole r) { return place_of_setting(run, c, r); });
-        if (e && meant) report(run, c, *e);
+        if (e && meant) {
+            report(run, c, *e);
+            say_mirrored(run, c);
+        }
         if (!meant) {
             e.reset();
             lose_position(run);
