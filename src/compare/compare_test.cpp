@@ -309,6 +309,24 @@ TEST(Compare, WhatIsLostInTheIncrementsOfAControl) {
     EXPECT_NE(said({line(10), line(10.002), line(10, 0.002)}, {line(10), line(10, 0.002)}, 0.001), "");
 }
 
+/// Beside a smooth joint that is rounded stands the arc of a corner, or none.
+TEST(Compare, AnArcOfNoLengthIsNoMove) {
+    const auto about = [](double sweep, double radius) {
+        cl::Arc arc;
+        arc.centre = {10, radius, 0};
+        arc.to = {10 + radius * std::sin(sweep), radius - radius * std::cos(sweep), 0};
+        arc.sweep = sweep;
+        return arc;
+    };
+    const Steps without{cl::Feed{100}, line(10), line(20)};
+    const auto with = [&](const cl::Arc& arc) { return Steps{cl::Feed{100}, line(10), arc, line(20)}; };
+    EXPECT_EQ(differences(without, with(about(1.6e-6, 5))), "");
+    EXPECT_EQ(differences(with(about(-1.6e-6, 5)), without), "");
+    EXPECT_NE(differences(without, with(about(1e-3, 5))), "");
+    EXPECT_NE(differences(without, with(about(geom::full_turn, 5))), "") << "it ends where it begins";
+    EXPECT_NE(differences(without, with(about(geom::full_turn - 1e-6, 5))), "");
+}
+
 TEST(Compare, SpeedsThatTheirWordHolds) {
     const auto at = [](double speed) { return Steps{cl::Spindle{speed, cl::SpindleMode::rpm, 1}, line(10), line(20)}; };
     const auto same = [&](double a, double b, double step) {

@@ -113,9 +113,16 @@ bool Path::is_turned() const {
                         [](const cl::FramePart& p) { return p.frame.linear == geom::Frame{}.linear; });
 }
 
+/// An arc no longer than places lie apart: rounded words beside a smooth joint have it or not.
+bool Path::is_of_no_length(const cl::Arc& arc) const {
+    if (!at_ || !axes_.empty() || !near(*at_, arc.to, same_place_) || !near(tool_, arc.axis, 1e-6)) return false;
+    return std::abs(arc.sweep) * geom::length(geom::cross(*at_ - arc.centre, arc.normal)) <= same_place_;
+}
+
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
 /// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
+    if (const auto* arc = std::get_if<cl::Arc>(&step)) return is_of_no_length(*arc);
     const auto* line = std::get_if<cl::Linear>(&step);
     const auto& frames = cursor_.state().frame.parts;
     const bool by_control =

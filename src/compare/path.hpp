@@ -85,6 +85,7 @@ public:
 
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
+    [[nodiscard]] bool is_of_no_length(const cl::Arc& arc) const;
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
     [[nodiscard]] bool has_turned_before(const cl::Step& step) const;
     [[nodiscard]] bool is_turned() const;

@@ -142,6 +142,9 @@ struct Traits {
     bool modal_call_without_motion = false;
     /// A chamfer or rounding where the next element goes straight on is none, and no fault.
     bool corner_may_be_tangential = false;
+    /// A chamfer or rounding without a feed of its own is run at the feed that is in force where it stands; else at
+    /// that of the element behind it.
+    bool corner_keeps_feed = false;
     IdleBlocks compensation_idle_blocks{};
     /// Says whether outer corners are arcs about the corner, as they are run here, or go out to the crossing of the
     /// parallels; empty: they are arcs, or as the program says.

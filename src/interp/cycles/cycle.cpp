@@ -158,6 +158,24 @@ void define_cycle(Cycling& run, const CycleDefinition& d) {
 
 void call_cycle(Cycling& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
 
+namespace {
+
+/// Climb or up-cut is what a milling cycle asks for; the manual at hand does not say which of them a mirror image
+/// leaves.
+void say_mirrored(Moving& run, const ActiveCycle& c) {
+    const auto& settings = c.definition->settings;
+    const bool directed = std::any_of(settings.begin(), settings.end(), [](const program::CycleSetting& s) {
+        return s.role == cl::CycleRole::direction;
+    });
+    if (!directed || run.capture != nullptr || !(geom::determinant(run.frame) < 0)) return;
+    assume(run, run.here(),
+           c.definition->name +
+               " in a mirror image: the path is taken to be mirrored with all else, so that the tool runs around the "
+               "figure the other way");
+}
+
+}  // namespace
+
 void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calling) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
@@ -186,6 +204,7 @@ void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calli
         ContourElements elements;
         std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
         if (e) report(run, c, *e);
+        if (e) say_mirrored(run, c);
         if (e) emit_along(run, e->steps, elements, situation_of(run).at);
         if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
