@@ -57,7 +57,8 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
     }
     for (const std::size_t side : {0U, 1U})
         if (!over_ && is_lone(side, reached)) {
-            const bool quiet = reached.ended && !needs_end(like, side) && is_quiet_end(side);
+            const bool quiet =
+                reached.ended && !needs_end(like, side) && is_quiet_end(side) && reached.at_rest[1 - side];
             if (!quiet)
                 add_lone(side, found);
             else if (!like.is_written_from_a())
@@ -136,12 +137,12 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
                       std::to_string(b.moves));
 }
 
-/// Spindle and coolant while the tool stands: dwells and stops; the end of a program stops both.
+/// Spindle and coolant while the tool stands: at dwells, stops and functions of the machine (a chuck that opens); the
+/// end of a program stops both.
 void ItemPairs::compare_state(const Likeness& like, Found& found) const {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
     const auto* stop = std::get_if<cl::Stop>(&a.step);
-    const bool waits =
-        std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
+    const bool waits = has_state(a.step) && (stop == nullptr || stop->kind != cl::StopKind::end);
     if (!waits || !a.holding || !b.holding) return;
     const Holding &h = *a.holding, &k = *b.holding;
     // What was written may stop for longer what the program lets run: its own control's stop does that, and says so.
