@@ -180,6 +180,11 @@ void Course::not_executed(Role role) {
 
 void Course::remark(Role role, std::string text) { out_.complaints.push_back({false, std::move(text), {}, role}); }
 
+void Course::doubt(Role role, std::string text, std::string remedy) {
+    out_.complaints.push_back({false, std::move(text), std::move(remedy), role});
+    out_.complaints.back().doubtful = true;
+}
+
 void Course::remark(std::string text, std::string remedy) {
     out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
 }
@@ -195,6 +200,7 @@ bool Course::room() {
     if (out_.steps.size() < most_steps) return true;
     full_ = true;
     fault("the cycle takes more than " + base::shortest(double(most_steps)) + " steps", "enter larger infeeds");
+    out_.complaints.back().too_many = true;
     return false;
 }
 

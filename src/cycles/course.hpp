@@ -82,6 +82,8 @@ public:
     /// Something worth saying that changes nothing.
     void remark(Role role, std::string text);
     void remark(std::string text, std::string remedy = {});
+    /// The control runs it, and hardly anybody means it so.
+    void doubt(Role role, std::string text, std::string remedy);
     void not_simulated(std::string text, std::string remedy = {});
     /// The path is not documented in this point and was chosen: see Expansion::assumption.
     void assume(std::string_view text) { out_.assumption = text; }

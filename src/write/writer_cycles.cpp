@@ -315,6 +315,10 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
     }
     flush_held();
     note_held_aside(*begin.cycle);
+    if (height(*begin.cycle, cl::CycleRole::rpm_factor).value_or(1) != 1 && !post_.has(Command::tap))
+        note(Fate::lost, name_of_cycle(*begin.cycle) +
+                             ": its tap goes back at another speed than it goes in, and the "
+                             "post has no words for that");
     // Else its moves say what is lost.
     if (!is_lone_tap(*begin.cycle)) note(Fate::expanded, name_of_cycle(*begin.cycle));
 }

@@ -222,7 +222,14 @@ void Writer::note_direction(const geom::Vec3& axis) {
     const bool along_z = !(std::hypot(d.x, d.y) > noise * std::abs(d.z)) || hooks_ != nullptr;
     if (along_z || !axes_.empty() || axis == direction_noted_) return;
     direction_noted_ = axis;
-    note(Fate::lost, "the tool's direction in a tilted plane");
+    Note lost{Fate::lost,
+              "a tool that stands aslant to the plane in force: the program says its direction alone, and "
+              "which rotary axes turn to it goes with the machine",
+              {},
+              0,
+              0};
+    lost.remedy = "have the rotary axes in the program, by their angles";
+    note_at(std::move(lost));
 }
 
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {

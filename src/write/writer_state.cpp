@@ -114,8 +114,12 @@ void Writer::write_datum() {
         return note(Fate::mapped, "zero " + std::to_string(datum.number), line);
     }
     // One zero alone may be the one that is in force on the control; of several, the others are lost.
-    if (datum.number != none_selected)
-        note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
+    if (datum.number == none_selected) return;
+    Note zero{first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number), {}, 0, 0};
+    zero.instead = "is taken to be the one that is active on the control when the program begins";
+    if (!first) zero.what += ": the post has no word for it, and another zero is in force before";
+    if (!first) zero.remedy = "give its number a word in a post of your own ([[datum]]: from, to, less, text)";
+    note_at(std::move(zero));
 }
 
 /// Where S is a whole number, and the program has another one.

@@ -55,7 +55,8 @@ struct ThreadLine {
     Said taper_v;               ///< start of the cut less its end; 0
     Said runout;                ///< along the axis; 0
     double pitch = unknown;
-    Said length_unit;  ///< mm per unit of the program, which matters to tolerances; not said: 1
+    Said spindle_angle;  ///< of the spindle where the thread begins, degrees; 0
+    Said length_unit;    ///< mm per unit of the program, which matters to tolerances; not said: 1
 };
 
 /// lathe-box-thread (G92)
@@ -140,6 +141,7 @@ inline constexpr auto members_of<ThreadLine> = rows<ThreadLine>({
     {Role::taper_v, &ThreadLine::taper_v},
     {Role::runout, &ThreadLine::runout, Must::be_at_least_0},
     {Role::pitch, &ThreadLine::pitch, Must::be_above_0},
+    {Role::spindle_angle, &ThreadLine::spindle_angle},
     {Role::length_unit, &ThreadLine::length_unit, Must::be_above_0},
 });
 

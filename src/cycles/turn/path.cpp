@@ -4,8 +4,8 @@
 
 namespace obrys::cycles {
 
-void TurningPath::thread(geom::Vec2 to, double pitch) {
-    course_.add(cl::Thread{.to = place(to), .pitch = pitch, .rigid_tap = false});
+void TurningPath::thread(geom::Vec2 to, double pitch, double start) {
+    course_.add(cl::Thread{.to = place(to), .pitch = pitch, .rigid_tap = false, .start = start});
     course_.moved_to(place(to));
 }
 

@@ -16,7 +16,8 @@ public:
 
     void rapid(geom::Vec2 to) { course_.straight(place(to), true); }
     void feed(geom::Vec2 to) { course_.straight(place(to), false); }
-    void thread(geom::Vec2 to, double pitch);
+    /// `start`: degrees of the spindle.
+    void thread(geom::Vec2 to, double pitch, double start = 0);
     void arc(geom::Vec2 to, geom::Vec2 centre, int turn);
     /// As the element says, shifted; its feed too where `finishing`.
     void element(const TurningElement& e, geom::Vec2 shift, bool finishing);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
 #include "cycles/turn/path.hpp"
 
 namespace obrys::cycles {
@@ -100,12 +101,15 @@ struct Line {
     Vec2 home;  ///< where the tool goes in and out: u of the start of this pass, v of the start point
     Vec2 end;
     double taper = 0, runout = 0, pitch = 0;
+    double angle = 0;  ///< of the spindle where it begins, degrees
 };
 
 /// The lead holds along the axis; the record has it along the move.
 double along_move(Vec2 move, double lead) { return move.x == 0 ? lead : lead * geom::length(move) / std::abs(move.x); }
 
-void thread_to(TurningPath& path, Vec2 to, double lead) { path.thread(to, along_move(to - path.at(), lead)); }
+void thread_to(TurningPath& path, Vec2 to, double lead, double start = 0) {
+    path.thread(to, along_move(to - path.at(), lead), start);
+}
 
 void thread_line(TurningPath& path, const Line& l) {
     const double out = l.home.y >= l.end.y ? 1 : -1, back = l.home.x >= l.end.x ? 1 : -1;
@@ -114,17 +118,19 @@ void thread_line(TurningPath& path, const Line& l) {
     if (run > 0) {
         const double part = 1 - run / std::abs(l.home.x - l.end.x);
         const Vec2 leave{l.end.x + back * run, l.end.y + l.taper * (1 - part)};
-        thread_to(path, leave, l.pitch);
+        thread_to(path, leave, l.pitch, l.angle);
         thread_to(path, {l.end.x, leave.y + out * std::min(run, std::abs(l.home.y - leave.y))}, l.pitch);
     } else {
-        thread_to(path, l.end, l.pitch);
+        thread_to(path, l.end, l.pitch, l.angle);
     }
     path.rapid({l.end.x, l.home.y});
 }
 
 Line line_of(Course& c, const ThreadLine& d, const Ends& ends) {
     if (ends.start.x == ends.target.x) c.fault(Role::target_u, "the thread has no length");
-    return {ends.start, ends.target, d.taper_v.value_or(0), d.runout.value_or(0), d.pitch};
+    Line l{ends.start, ends.target, d.taper_v.value_or(0), d.runout.value_or(0), d.pitch};
+    l.angle = d.spindle_angle.value_or(0);
+    return l;
 }
 
 struct Depths {
@@ -185,6 +191,11 @@ void write_steps(TurningPath& path, const ThreadPasses& d, const TurningDemand& 
     const int method = c.whole(Role::infeed_method, d.infeed_method, 1, 1, 4, "the method of infeed");
     if (l.runout == 0) l.runout = d.runout_leads.value_or(0) * l.pitch;
     if (least > whole) c.fault(Role::min_infeed, "the smallest depth of cut is more than the depth of the thread");
+    if (d.first_depth > whole)
+        c.doubt(Role::first_depth,
+                "the first cut of " + base::shortest(d.first_depth) + " mm is deeper than the thread, which is " +
+                    base::shortest(whole) + " mm deep: it is cut to full depth in one pass",
+                "look at the depth of the first cut and the height of the thread");
     if (angle < 0 || angle > 60) c.fault(Role::infeed_angle, "the infeed angle must lie between 0 and 60 degrees");
     if (left >= whole) c.fault(Role::finish_allowance, "the finishing allowance is not less than the depth");
     if (!c.ready()) return;
