@@ -21,39 +21,63 @@ bool boxes_meet(const Box& a, const Box& b) {
            b.lo.z <= a.hi.z;
 }
 
-/// Where the way from `a` to `b` goes through a triangle, far enough on both ends and from its border.
-std::optional<Vec3> through(Vec3 a, Vec3 b, const std::array<Vec3, 3>& t, Vec3 normal, double beyond) {
-    const double first = dot(a - t[0], normal), last = dot(b - t[0], normal);
-    const double least = std::max(rounding, std::min(beyond, short_share * geom::distance(a, b)));
-    if (!(first * last < 0) || !(std::min(std::abs(first), std::abs(last)) > least)) return std::nullopt;
-    const Vec3 p = a + (first / (first - last)) * (b - a);
-    const double around = geom::distance(t[0], t[1]) + geom::distance(t[1], t[2]) + geom::distance(t[2], t[0]),
-                 circle = dot(cross(t[1] - t[0], t[2] - t[0]), normal) / around;
-    const double inside = std::max(rounding, std::min(beyond, short_share * circle));
+struct Face {
+    std::array<Vec3, 3> corners;
+    Vec3 normal;
+    double least = 0;  ///< what counts as beyond
+};
+
+/// From where to where a face meets a plane, along a direction in that; none where it does not reach beyond it on both
+/// sides.
+std::optional<std::array<double, 2>> meets(const Face& f, const Face& plane, Vec3 along) {
+    std::array<double, 3> d{};
+    for (std::size_t i = 0; i < 3; ++i) d[i] = dot(f.corners[i] - plane.corners[0], plane.normal);
+    if (!(std::max({d[0], d[1], d[2]}) > f.least) || !(std::min({d[0], d[1], d[2]}) < -f.least)) return std::nullopt;
+    std::array<double, 2> span{HUGE_VAL, -HUGE_VAL};
     for (std::size_t i = 0; i < 3; ++i) {
-        const Vec3 side = t[(i + 1) % 3] - t[i];
-        if (!(dot(cross(side, p - t[i]), normal) > inside * length(side))) return std::nullopt;
+        const std::size_t k = (i + 1) % 3;
+        if ((d[i] < 0) == (d[k] < 0)) continue;
+        const double at = dot(f.corners[i] + (d[i] / (d[i] - d[k])) * (f.corners[k] - f.corners[i]), along);
+        span = {std::min(span[0], at), std::max(span[1], at)};
     }
-    return p;
+    return span;
+}
+
+/// The middle of the line in which two faces go through each other.
+std::optional<Vec3> middle_of_crossing(const Face& a, const Face& b) {
+    Vec3 along = cross(a.normal, b.normal);
+    const double size = length(along);
+    if (!(size > rounding)) return std::nullopt;
+    along = (1 / size) * along;
+    const auto one = meets(a, b, along), other = one ? meets(b, a, along) : std::nullopt;
+    if (!other) return std::nullopt;
+    const double low = std::max((*one)[0], (*other)[0]), high = std::min((*one)[1], (*other)[1]);
+    if (!(high - low > std::min(a.least, b.least))) return std::nullopt;
+    // The place of both planes at that height.
+    const double ca = dot(a.normal, a.corners[0]), cb = dot(b.normal, b.corners[0]), ab = dot(a.normal, b.normal);
+    return ((ca - cb * ab) / (size * size)) * a.normal + ((cb - ca * ab) / (size * size)) * b.normal +
+           (0.5 * (low + high)) * along;
+}
+
+Face face_of(const Distance& surface, std::uint32_t triangle, double beyond) {
+    Face f{corners(surface.mesh(), triangle), surface.normal(triangle), 0};
+    const auto& c = f.corners;
+    const double longest =
+        std::max({geom::distance(c[0], c[1]), geom::distance(c[1], c[2]), geom::distance(c[2], c[0])});
+    f.least = std::max(rounding, std::min(beyond, short_share * longest));
+    return f;
 }
 
 std::optional<Vec3> crossing_of(const Distance& surface, std::uint32_t triangle, double beyond) {
-    const Mesh& m = surface.mesh();
-    const Triangle& t = m.triangles[triangle];
+    const Face own = face_of(surface, triangle, beyond);
+    Box around;
+    for (const Vec3& c : own.corners) around.add(c);
     std::optional<Vec3> found;
-    for (std::size_t i = 0; i < 3 && !found; ++i) {
-        const std::uint32_t one = t[i], other = t[(i + 1) % 3];
-        if (one > other) continue;  // its neighbour has the same side
-        const Vec3 a = m.vertices[one], b = m.vertices[other];
-        Box around;
-        around.add(a);
-        around.add(b);
-        surface.visit([&](const Box& box) { return boxes_meet(box, around); },
-                      [&](std::uint32_t n) {
-                          found = through(a, b, corners(m, n), surface.normal(n), beyond);
-                          return !found;
-                      });
-    }
+    surface.visit([&](const Box& box) { return boxes_meet(box, around); },
+                  [&](std::uint32_t n) {
+                      if (n > triangle) found = middle_of_crossing(own, face_of(surface, n, beyond));
+                      return !found;
+                  });
     return found;
 }
 

@@ -45,6 +45,11 @@ TEST(SelfCrossing, a_block_that_is_turned_through_itself_crosses) {
     for (Vec3& v : m.vertices)
         if (v == Vec3{10, 10, 10}) v = {4, 4, -3};
     EXPECT_TRUE(self_crossing(Distance(m), 0.01).has_value());
+    // The same at an edge: all sides that cross lie in one plane.
+    m = box({0, 0, 0}, {10, 10, 10});
+    for (Vec3& v : m.vertices)
+        if (v == Vec3{10, 10, 10}) v = {10, 10, -2};
+    EXPECT_TRUE(self_crossing(Distance(m), 0.01).has_value());
 }
 
 }  // namespace
