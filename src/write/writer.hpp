@@ -96,8 +96,7 @@ private:
     void take_programmed(const cl::Programmed& p);
     [[nodiscard]] bool moves_are_contour() const;
     [[nodiscard]] bool by_moves_of_corner(const cl::Programmed& p);
-    // What is no move. Every kind is named: a new one stops this from compiling until somebody has said how it is
-    // written.
+    // What is no move. A kind that is not named stops this from compiling until somebody says how it is written.
     void event(const cl::ToolChange& change);
     void event(const cl::ToolSelection& next);
     void event(const cl::ToolData& data);
@@ -106,6 +105,7 @@ private:
     void event(const cl::CompensationEnd&);
     void event(const cl::Dwell& dwell);
     void event(const cl::Stop& stop);
+    void event(const cl::OtherSpindle& other);
     void event(const cl::Comment& comment);
     [[nodiscard]] std::vector<std::string> lines_about_cycles() const;
     void event(const cl::Output& signal);

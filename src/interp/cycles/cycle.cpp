@@ -12,6 +12,7 @@
 #include "interp/complaints.hpp"
 #include "interp/cycles/contour_cycle.hpp"
 #include "interp/cycles/cycles.hpp"
+#include "interp/moves/small_infeed.hpp"
 #include "interp/stream/path_stage.hpp"
 
 namespace obrys::interp {
@@ -128,6 +129,12 @@ std::optional<cycles::Expansion> expansion(Cycling& run, const ActiveCycle& c, c
     return all;
 }
 
+base::Span place_of_setting(const Saying& run, const ActiveCycle& c, cl::CycleRole role) {
+    for (const program::CycleSetting& s : c.definition->settings)
+        if (s.role == role) return s.where;
+    return run.here();
+}
+
 void call_program_of(Calling& run, const ActiveCycle& c) {
     if (c.texts.empty()) return;
     program::Call call;
@@ -203,8 +210,16 @@ void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calli
         say_unknown_words(run, c);
         ContourElements elements;
         std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
-        if (e) report(run, c, *e);
-        if (e) say_mirrored(run, c);
+        const bool meant = !e || doubt_infeeds(run, c.definition->name, demand_of(run, c, instead), *e,
+                                               [&](cl::CycleRole r) { return place_of_setting(run, c, r); });
+        if (e && meant) {
+            report(run, c, *e);
+            say_mirrored(run, c);
+        }
+        if (!meant) {
+            e.reset();
+            lose_position(run);
+        }
         if (e) emit_along(run, e->steps, elements, situation_of(run).at);
         if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});
