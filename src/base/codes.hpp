@@ -42,6 +42,7 @@ inline constexpr std::string_view surface_speed = "surface-speed";
 inline constexpr std::string_view thread_crossed = "thread-crossed";
 inline constexpr std::string_view feed_limit = "feed-limit";
 inline constexpr std::string_view feed_implausible = "feed-implausible";
+inline constexpr std::string_view infeed_implausible = "infeed-implausible";
 inline constexpr std::string_view tool_missing = "tool-missing";
 inline constexpr std::string_view feed_missing = "feed-missing";
 inline constexpr std::string_view spindle_stopped = "spindle-stopped";
@@ -116,6 +117,8 @@ inline constexpr std::array all_codes{
     Code{codes::thread_crossed, CodeKind::finding, "a pass of a thread that does not follow the thread of the others"},
     Code{codes::feed_limit, CodeKind::finding, "a feed above the machine's maximum"},
     Code{codes::feed_implausible, CodeKind::finding, "a feed that no tool cuts with: one of the other feed mode"},
+    Code{codes::infeed_implausible, CodeKind::finding,
+         "an infeed that no tool cuts with: a decimal point is missing, or stands at the wrong place"},
     Code{codes::tool_missing, CodeKind::finding, "a tool or edge that the tool list does not hold"},
     Code{codes::feed_missing, CodeKind::finding, "a feed move without a programmed feed"},
     Code{codes::spindle_stopped, CodeKind::finding, "a cut while the spindle stands still"},

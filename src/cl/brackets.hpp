@@ -3,6 +3,7 @@
 /// who skips them gets the right moves. mm, radians, workpiece frame. Meaning: docs/cl-stream.md.
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -122,13 +123,21 @@ enum class PartKind : std::uint8_t {
     label,       ///< of a section of the same program (CALL LBL)
     repetition,  ///< of a section that has been run before (REP, REPEAT): its further passes
 };
+/// What a called program is given, as it names it: a parameter's name ("DEPTH", "#1") and its value.
+struct PartArgument {
+    std::string name;
+    double value = 0;                   ///< in the program's own units; NaN: not known, or no number
+    std::optional<std::string> text{};  ///< where it is one
+    bool operator==(const PartArgument&) const = default;
+};
 /// The records up to the matching PartEnd come from a part of the program that is called or repeated; parts lie one in
 /// another. A Stop that ends the program ends them all.
 struct PartBegin {
     PartKind kind = PartKind::call;
-    std::string name;          ///< of the program or label, as the control names it; empty: it has none
-    std::uint64_t pass = 1;    ///< of a call that is repeated, from 1; of a repetition from 2
-    std::uint64_t passes = 1;  ///< of them all
+    std::string name;                       ///< of the program or label, as the control names it; empty: it has none
+    std::uint64_t pass = 1;                 ///< of a call that is repeated, from 1; of a repetition from 2
+    std::uint64_t passes = 1;               ///< of them all
+    std::vector<PartArgument> arguments{};  ///< of a call, those that it gives; a remark: the moves have them
     bool operator==(const PartBegin&) const = default;
 };
 struct PartEnd {

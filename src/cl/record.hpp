@@ -17,10 +17,10 @@
 namespace obrys::cl {
 
 /// One step of the tool's life. Closed on purpose: a new kind must break every visitor that names all kinds.
-using Step = std::variant<Linear, Arc, Spline, MachinePlace, Thread, Dwell, Feed, Spindle, ToolChange, ToolSelection,
-                          ToolData, DatumData, ToolLength, Coolant, Stop, Comment, Datum, Frame, Tolerance, PathMode,
-                          Auxiliary, Output, Override, CycleBegin, CycleEnd, PartBegin, PartEnd, CompensationBegin,
-                          CompensationEnd, Programmed, LeadBegin, LeadEnd>;
+using Step = std::variant<Linear, Arc, Spline, MachinePlace, Thread, Dwell, Feed, Spindle, OtherSpindle, ToolChange,
+                          ToolSelection, ToolData, DatumData, ToolLength, Coolant, Stop, Comment, Datum, Frame,
+                          Tolerance, PathMode, Auxiliary, Output, Override, CycleBegin, CycleEnd, PartBegin, PartEnd,
+                          CompensationBegin, CompensationEnd, Programmed, LeadBegin, LeadEnd>;
 
 /// Identifies a call stack in `CallStacks`; 0 is the main program.
 using StackId = std::uint32_t;

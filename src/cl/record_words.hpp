@@ -38,6 +38,8 @@ inline constexpr std::string_view head<Feed> = "feed";
 template <>
 inline constexpr std::string_view head<Spindle> = "spindle";
 template <>
+inline constexpr std::string_view head<OtherSpindle> = "other-spindle";
+template <>
 inline constexpr std::string_view head<ToolChange> = "tool";
 template <>
 inline constexpr std::string_view head<ToolSelection> = "next-tool";

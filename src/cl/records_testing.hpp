@@ -113,6 +113,16 @@ inline AxisEnds ends() {
     return out;
 }
 
+inline Step any_other_spindle() {
+    return OtherSpindle{
+        *rc::gen::arbitrary<std::uint32_t>(),
+        perhaps(),
+        *rc::gen::arbitrary<bool>() ? std::optional(*rc::gen::element<std::int8_t>(-1, 0, 1)) : std::nullopt,
+        perhaps(),
+        perhaps(),
+        *rc::gen::arbitrary<std::int64_t>()};
+}
+
 inline Step any_step(std::size_t kind) {
     switch (kind) {
         case 0: return Linear{vec(), vec(), *rc::gen::arbitrary<bool>(), any_of(Seek::release_or_end), ends()};
@@ -135,17 +145,25 @@ inline Step any_step(std::size_t kind) {
                               *rc::gen::arbitrary<bool>(),
                               *rc::gen::arbitrary<std::uint32_t>()};
         case 8: return Coolant{*rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
-        case 9: return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end)};
+        case 9:
+            return Stop{*rc::gen::element(StopKind::program, StopKind::optional, StopKind::end),
+                        *rc::gen::arbitrary<bool>(), *rc::gen::arbitrary<bool>()};
+        case 32: return any_other_spindle();
         case 10: {
             const bool message = *rc::gen::arbitrary<bool>();
             return Comment{text(), message, message && *rc::gen::arbitrary<bool>()};
         }
         case 11: return Datum{*rc::gen::arbitrary<std::uint32_t>(), vec()};
         case 20: return any_frame();
-        case 12: return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>()};
+        case 12:
+            return Auxiliary{*rc::gen::arbitrary<char>(), *rc::gen::arbitrary<std::int64_t>(),
+                             *rc::gen::arbitrary<std::uint32_t>()};
         case 18:
             return PartBegin{*rc::gen::element(PartKind::call, PartKind::label, PartKind::repetition), text(),
-                             *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>()};
+                             *rc::gen::arbitrary<std::uint64_t>(), *rc::gen::arbitrary<std::uint64_t>(),
+                             *rc::gen::arbitrary<bool>()
+                                 ? std::vector<PartArgument>{{text(), number(), {}}, {text(), NAN, text()}}
+                                 : std::vector<PartArgument>{}};
         case 19: return PartEnd{};
         case 13: return any_cycle();
         case 14: {

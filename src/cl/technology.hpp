@@ -42,6 +42,18 @@ struct Spindle {
     bool operator==(const Spindle&) const = default;
 };
 
+/// What a spindle is told that is not the one of the moves here (S2=, M2=3, SPOS[2]=): another one of a lathe, or of a
+/// channel with several. Only what the program has said of it is known.
+struct OtherSpindle {
+    std::uint32_t number = 2;
+    std::optional<double> speed{};           ///< 1/min, or m/min where the program counts so; NaN: not known
+    std::optional<std::int8_t> direction{};  ///< as of Spindle
+    std::optional<double> held{};            ///< degrees (SPOS[2]); NaN: where the machine is set to
+    std::optional<double> limit{};           ///< highest speed, 1/min (LIMS[2])
+    std::int64_t function = 0;               ///< another M function of it (M2=41); 0: none
+    bool operator==(const OtherSpindle&) const = default;
+};
+
 struct ToolChange {
     std::uint32_t number = 0;  ///< 0 where the tool is known by name only, or none is in the spindle
     std::uint32_t edge = 0;    ///< cutting edge (D); 0 = no offsets
@@ -94,6 +106,9 @@ struct Coolant {
 enum class StopKind : std::uint8_t { program, optional, end };
 struct Stop {
     StopKind kind = StopKind::program;
+    bool pallets = false;  ///< pallets are changed with it (M60 and M30 of LinuxCNC)
+    /// Of the end: the program may stay where it is, by the control's settings, and is not begun anew (M2 of FANUC).
+    bool stays = false;
     bool operator==(const Stop&) const = default;
 };
 
@@ -109,6 +124,7 @@ struct Comment {
 struct Auxiliary {
     char letter = 'M';
     std::int64_t number = 0;
+    std::uint32_t extension = 0;  ///< of its address (H2=5); 0: none
     bool operator==(const Auxiliary&) const = default;
 };
 

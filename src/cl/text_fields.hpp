@@ -136,6 +136,13 @@ void fields(Io& io, Of<Io, Spindle>& s) {
     io.perhaps("held", s.held);
 }
 template <class Io>
+void fields(Io& io, Of<Io, OtherSpindle>& s) {
+    io.whole(s.number);
+    io.perhaps("speed", s.speed), io.perhaps(spindle_senses, s.direction);
+    io.perhaps("held", s.held), io.perhaps("limit", s.limit);
+    io.whole("function", s.function);
+}
+template <class Io>
 void fields(Io& io, Of<Io, ToolChange>& s) {
     io.tool_number(s.number);
     io.word("edge");
@@ -180,6 +187,7 @@ void fields(Io& io, Of<Io, Coolant>& s) {
 template <class Io>
 void fields(Io& io, Of<Io, Stop>& s) {
     io.choice(stop_kinds, s.kind);
+    io.flag("pallets", s.pallets), io.flag("stays", s.stays);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Comment>& s) {
@@ -189,6 +197,7 @@ template <class Io>
 void fields(Io& io, Of<Io, Auxiliary>& s) {
     io.letter(s.letter);
     io.whole(s.number);
+    io.whole("extension", s.extension);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Output>& s) {
@@ -244,6 +253,12 @@ void fields(Io& io, Of<Io, Frame>& s) {
 }
 
 // --- brackets
+template <class Io, class Passes>
+void pass_fields(Io& io, Passes& s) {
+    io.whole(s.pass);
+    io.word("of");
+    io.whole(s.passes);
+}
 template <class Io>
 void fields(Io& io, Of<Io, Cycle>& c, Of<Io, CycleBegin>& s) {
     io.spelt(c.kind);
@@ -257,11 +272,7 @@ void fields(Io& io, Of<Io, Cycle>& c, Of<Io, CycleBegin>& s) {
         io.flag_is(word, s.call, call);
     bool counted = s.pass != 1 || s.passes != 1;
     io.flag("pass", counted);
-    if (counted) {
-        io.whole(s.pass);
-        io.word("of");
-        io.whole(s.passes);
-    }
+    if (counted) pass_fields(io, s);
     io.each_word(c.values, "written", [&](auto& v) {
         io.spelt(v.role);
         io.number(v.value);
@@ -282,9 +293,14 @@ template <class Io>
 void fields(Io& io, Of<Io, PartBegin>& s) {
     io.quoted(s.name);
     io.word("pass");
-    io.whole(s.pass);
-    io.word("of");
-    io.whole(s.passes);
+    pass_fields(io, s);
+    bool given = !s.arguments.empty();
+    io.flag("with", given);
+    if (!given) return;
+    io.each_text(s.arguments, [&](auto& a) {
+        io.quoted(a.name);
+        io.number_or_text(a.value, a.text);
+    });
 }
 template <class Io>
 void fields(Io& io, Of<Io, CompensationBegin>& s) {
@@ -297,9 +313,7 @@ void fields(Io& io, Of<Io, CompensationBegin>& s) {
     io.flag("sharp", s.sharp);
     io.vector("normal", s.normal, {0, 0, 1});
     io.flag("given", s.given);
-    bool nosed = s.nose != 0;
-    io.flag("nose", nosed);
-    if (nosed) io.whole(s.nose);
+    io.whole("nose", s.nose);
 }
 template <class Io>
 void fields(Io& io, Of<Io, Programmed>& s) {
@@ -327,13 +341,9 @@ void fields(Io& io, Of<Io, LeadBegin>& s) {
     io.value("feed", s.feed);
     io.flag("rapid", s.rapid);
 }
-template <class Io>
-void fields(Io&, Of<Io, CycleEnd>&) {}
-template <class Io>
-void fields(Io&, Of<Io, PartEnd>&) {}
-template <class Io>
-void fields(Io&, Of<Io, CompensationEnd>&) {}
-template <class Io>
-void fields(Io&, Of<Io, LeadEnd>&) {}
+/// The ends of brackets.
+template <class Io, class End>
+requires std::is_empty_v<End>
+void fields(Io&, End&) {}
 
 }  // namespace obrys::cl

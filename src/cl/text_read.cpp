@@ -76,6 +76,10 @@ public:
     void sense(const std::array<std::string_view, 3>& words, std::int8_t& n) {
         n = static_cast<std::int8_t>(static_cast<int>(words_.choice(words)) - 1);
     }
+    void perhaps(const std::array<std::string_view, 3>& words, std::optional<std::int8_t>& n) {
+        for (std::size_t i = 0; i < words.size() && !n; ++i)
+            if (words_.accept(words[i])) n = static_cast<std::int8_t>(static_cast<int>(i) - 1);
+    }
     template <class Enum>
     void spelt(Enum& e) {
         const auto found = words_.ok() ? named(words_.word(), e) : std::nullopt;
@@ -102,6 +106,12 @@ public:
         for (std::size_t i = 0; i < name.size() && i < out.size(); ++i) out[i] = name[i];
     }
     void quoted(std::string& text) { text = words_.quoted(); }
+    void number_or_text(double& v, std::optional<std::string>& text) {
+        if (words_.ok() && words_.peek().starts_with('"'))
+            text = words_.quoted(), v = std::nan("");
+        else
+            number(v);
+    }
     void cycle(CycleBegin& s) {
         Cycle cycle;
         fields(*this, cycle, s);

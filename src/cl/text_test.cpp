@@ -79,6 +79,13 @@ struct Mark {
         mark(s.place);
         s.cycle = c;
     }
+    void operator()(OtherSpindle& s) const {
+        for (std::optional<double>* v : {&s.speed, &s.held, &s.limit})
+            if (*v) mark(**v);
+    }
+    void operator()(PartBegin& s) const {
+        for (PartArgument& a : s.arguments) mark(a.value);
+    }
     template <class Other>
     void operator()(Other&) const {}
 };

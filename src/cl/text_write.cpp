@@ -71,6 +71,9 @@ public:
         if (e != Enum{}) choice(words, e, 1);
     }
     void sense(const std::array<std::string_view, 3>& words, std::int8_t n) { word(words[n < 0 ? 0 : n == 0 ? 1 : 2]); }
+    void perhaps(const std::array<std::string_view, 3>& words, const std::optional<std::int8_t>& n) {
+        if (n) sense(words, *n);
+    }
     template <class Enum>
     void spelt(Enum e) {
         word(spelling(e));
@@ -85,6 +88,12 @@ public:
     }
     void letter(char c) { quoted({&c, 1}); }
     void axis_name(const std::array<char, 8>& name) { quoted(name_of(name)); }
+    void number_or_text(double v, const std::optional<std::string>& text) {
+        if (text)
+            quoted(*text);
+        else
+            number(v);
+    }
     void cycle(const CycleBegin& s) { fields(*this, *s.cycle, s); }
     void fail(const char*) {}
 

@@ -137,6 +137,15 @@ void Verifier::check(const Record& r, const Spindle& s) {
     if (s.held && std::isinf(*s.held)) complain(r, base::codes::value_range, "the spindle's angle is not finite");
 }
 
+void Verifier::check(const Record& r, const OtherSpindle& s) {
+    if (s.speed.value_or(0) < 0 || std::isinf(s.speed.value_or(0)) || s.limit.value_or(0) < 0 ||
+        std::isinf(s.limit.value_or(0)))
+        complain(r, base::codes::value_range, "speeds of a spindle must be finite and not negative");
+    if (std::abs(s.direction.value_or(0)) > 1)
+        complain(r, base::codes::value_range, "spindle direction must be -1, 0 or 1");
+    if (std::isinf(s.held.value_or(0))) complain(r, base::codes::value_range, "the spindle's angle is not finite");
+}
+
 void Verifier::check(const Record& r, const Datum& s) {
     if (infinite(s.origin)) complain(r, base::codes::value_range, "zero offset is not finite");
     change(zero_, s, position_);

@@ -39,6 +39,7 @@ private:
     void check(const Record& r, const Dwell& s);
     void check(const Record& r, const Feed& s);
     void check(const Record& r, const Spindle& s);
+    void check(const Record& r, const OtherSpindle& s);
     void check(const Record& r, const Datum& s);
     void check(const Record& r, const Frame& s);
     void check(const Record& r, const Tolerance& s);

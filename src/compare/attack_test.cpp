@@ -53,11 +53,18 @@ const std::vector<Attacked>& attacked() {
         {"length added offset 0 by 1 2 3"},
         {"coolant flood mist"},
         {"stop optional"},
+        {"stop end pallets", {}, true},
+        {"other-spindle 2 speed 700"},
+        {"other-spindle 2 cw"},
+        {"other-spindle 2 held 30"},
+        {"other-spindle 2 limit 2000"},
+        {"other-spindle 2 function 41"},
         {"datum 55 1 2 3"},
         {"frame shift 1 2 3 " + frame + " plane 1 2 3 " + frame, {}, true},
         {"tolerance 0.03 rotary 0.2 roughing", {}, true},
         {"path within tolerance 0.02 merge 0.01 way 642", {}, true},
         {"aux \"M\" 33"},
+        {"aux \"H\" 33 extension 2"},
         {"output 3 analog 0.5 with-motion"},
         {"override feed off"},
         {"cycle drill \"C\" at 1 2 3 plane 1 2 3 " + frame +
@@ -67,91 +74,10 @@ const std::vector<Attacked>& attacked() {
         {"compensation left radius 5 offset 3 around sharp normal 0 1 0", {}, true},
         {"programmed 1 2 3 to 4 5 6 rapid chamfer 2 feed 30", {}, true},
         {"programmed 1 2 3 to 1 5 3 centre 1 3.5 3 normal 0 0 1 sweep 3.2 rounding 2", {}, true},
+        {"call \"P\" pass 1 of 2 with \"D\" 3 \"N\" \"T\"", {}, true},
         {"lead onto tangent-arc at 1 2 3 length 4 radius 5 angle 1 feed 6", {}, true},
     };
     return lines;
-}
-
-/// Words of every list of words in the text form, and flags.
-const std::vector<std::string>& vocabulary() {
-    static const std::vector<std::string> words{"linear",
-                                                "rapid",
-                                                "contact",
-                                                "contact-or-end",
-                                                "release",
-                                                "release-or-end",
-                                                "deg",
-                                                "mm",
-                                                "counted",
-                                                "tap",
-                                                "coordinates",
-                                                "home",
-                                                "fixed",
-                                                "mm/min",
-                                                "mm/rev",
-                                                "1/min",
-                                                "m/min",
-                                                "cw",
-                                                "ccw",
-                                                "stop",
-                                                "standing",
-                                                "lengthened",
-                                                "added",
-                                                "off",
-                                                "subtracted",
-                                                "flood",
-                                                "mist",
-                                                "program",
-                                                "optional",
-                                                "end",
-                                                "analog",
-                                                "with-motion",
-                                                "feed",
-                                                "spindle",
-                                                "adaptive-feed",
-                                                "feed-hold",
-                                                "on",
-                                                "none",
-                                                "finishing",
-                                                "roughing",
-                                                "precision",
-                                                "semi-finishing",
-                                                "exact",
-                                                "exact-stop",
-                                                "free",
-                                                "within",
-                                                "shift",
-                                                "rotation",
-                                                "mirror",
-                                                "scaling",
-                                                "plane",
-                                                "datum",
-                                                "drill",
-                                                "peck",
-                                                "tap-rigid",
-                                                "clearance",
-                                                "depth",
-                                                "surface",
-                                                "modal",
-                                                "pattern",
-                                                "left",
-                                                "right",
-                                                "normal",
-                                                "around",
-                                                "smooth",
-                                                "sharp",
-                                                "chamfer",
-                                                "chamfer-leg",
-                                                "rounding",
-                                                "onto",
-                                                "tangent-line",
-                                                "normal-line",
-                                                "tangent-arc",
-                                                "arc-and-line",
-                                                "x",
-                                                "y",
-                                                "z"};
-    return words;
 }
 
 std::vector<std::string> words_of(const std::string& line) {
@@ -162,6 +88,19 @@ std::vector<std::string> words_of(const std::string& line) {
         i = end + 1;
     }
     return out;
+}
+
+/// Words of every list of words in the text form, and flags.
+const std::vector<std::string>& vocabulary() {
+    static const std::vector<std::string> words = words_of(
+        "linear rapid contact contact-or-end release release-or-end deg mm counted tap coordinates home "
+        "fixed mm/min mm/rev 1/min m/min cw ccw stop standing lengthened added off subtracted flood "
+        "mist program optional end analog with-motion feed spindle adaptive-feed feed-hold on none "
+        "finishing roughing precision semi-finishing exact exact-stop free within shift rotation mirror "
+        "scaling plane datum drill peck tap-rigid clearance depth surface modal pattern left right "
+        "normal around smooth sharp chamfer chamfer-leg rounding onto tangent-line normal-line "
+        "tangent-arc arc-and-line x y z");
+    return words;
 }
 
 std::string joined(const std::vector<std::string>& words) {
@@ -184,7 +123,9 @@ std::set<std::string> changes_of(const std::string& line) {
     for (std::size_t i = 0; i < words.size(); ++i) {
         std::vector<std::string> changed = words;
         const auto with = [&](const std::string& word) { changed[i] = word, offer(changed); };
-        if (is_number(words[i])) {
+        if (words[i] == "?") {
+            with("7");
+        } else if (is_number(words[i])) {
             with(base::trim(words[i]).find('.') == std::string_view::npos ? std::to_string(std::stoi(words[i]) + 1)
                                                                           : "0.37");
             with("?");
@@ -200,7 +141,8 @@ std::set<std::string> changes_of(const std::string& line) {
         offer(changed);
         if (i + 1 < words.size()) changed.erase(changed.begin() + static_cast<std::ptrdiff_t>(i)), offer(changed);
     }
-    for (const char* more : {"rapid", "counted", "added", "standing", "mist", "with-motion", "tap", "sharp"}) {
+    for (const char* more :
+         {"rapid", "counted", "added", "standing", "mist", "with-motion", "tap", "sharp", "pallets"}) {
         std::vector<std::string> longer = words;
         longer.emplace_back(more);
         offer(longer);
@@ -304,6 +246,27 @@ TEST(Attack, EveryWordIsFound) {
         }
     }
     EXPECT_GT(tried, 3000U);
+}
+
+/// The zero in front of the first move, where nothing before it could tell that it is another one.
+TEST(Attack, AZeroBeforeTheFirstMove) {
+    const auto with = [](const std::string& datum) {
+        Steps out = datum.empty() ? Steps{} : steps_of({datum});
+        for (const cl::Step& step : steps_of({"rapid 1 2 30", "feed 100 mm/min", "linear 1 2 0"})) out.push_back(step);
+        return out;
+    };
+    for (const std::string original : {"datum 54 10 20 30", "datum 54 ? ? ?", "datum 55 ? 20 ?"})
+        for (const std::string& changed : changes_of(original)) {
+            if (makes_no_difference(*step_of(original), *step_of(changed))) continue;
+            const Result r = compared(with(original), with(changed), {.same_control = true});
+            EXPECT_TRUE(std::any_of(r.first.begin(), r.first.end(),
+                                    [](const Difference& d) { return is_done(d.aspect) || d.aspect == Aspect::datum; }))
+                << original << "; " << changed;
+        }
+    for (const std::string datum : {"datum 54 10 20 30", "datum 54 ? ? ?"}) {
+        EXPECT_FALSE(compared(with(datum), with(""), {.same_control = true}).first.empty()) << datum;
+        EXPECT_FALSE(compared(with(""), with(datum), {.same_control = true}).first.empty()) << datum;
+    }
 }
 
 /// A record more or less, wherever it stands.

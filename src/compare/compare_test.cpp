@@ -29,6 +29,37 @@ TEST(Compare, EachAspectIsSeen) {
               "frame");
 }
 
+/// Both end; what the control does then besides is told and is nothing that the machine does to the part.
+TEST(Compare, EndsOfOneControlThatAreNotTheSame) {
+    const auto ending = [](const std::string& stop) { return steps_of({"linear 1 0 0", "linear 2 0 0", stop}); };
+    constexpr Tolerance same{.same_control = true};
+    for (const char* other : {"stop end pallets", "stop end stays"}) {
+        const Result r = compared(ending("stop end"), ending(other), same);
+        ASSERT_NE(r.of(Aspect::events), nullptr) << other;
+        EXPECT_FALSE(r.of(Aspect::events)->is_done);
+        EXPECT_EQ(compared(ending("stop end"), ending(other), {.is_written_from_a = true}).of(Aspect::events), nullptr);
+        EXPECT_EQ(compared(ending(other), ending(other), same).of(Aspect::events), nullptr);
+    }
+    const Result r = compared(ending("stop program"), ending("stop program pallets"), same);
+    ASSERT_NE(r.of(Aspect::events), nullptr);
+    EXPECT_TRUE(r.of(Aspect::events)->is_done);
+}
+
+/// What a program is given is told of two programs of one control; what is written may have it in its moves.
+TEST(Compare, ArgumentsOfCallsAreTold) {
+    const auto called = [](const std::string& with) {
+        return steps_of({"linear 1 0 0", "call \"P\" pass 1 of 1" + with, "linear 2 0 0", "part-end"});
+    };
+    constexpr Tolerance same{.same_control = true};
+    const std::string three = " with \"DEPTH\" 3 \"NAME\" \"A\"";
+    EXPECT_EQ(compared(called(three), called(three), same).of(Aspect::parts), nullptr);
+    for (const char* other :
+         {"", " with \"DEPTH\" 4 \"NAME\" \"A\"", " with \"DEPTH\" 3 \"NAME\" \"B\"", " with \"DEPTH\" 3"}) {
+        EXPECT_NE(compared(called(three), called(other), same).of(Aspect::parts), nullptr) << other;
+        EXPECT_EQ(compared(called(three), called(other), {.is_written_from_a = true}).of(Aspect::parts), nullptr);
+    }
+}
+
 TEST(Compare, PartsAndPreparationsAreSeenAndMoveNothing) {
     const std::vector<cl::Step> flat{line(10), line(20)};
     const auto called = [](std::uint64_t passes) {
@@ -231,6 +262,74 @@ TEST(Compare, WhatHoldsWhileTheToolStands) {
     EXPECT_EQ(differences(waits({true, false}), waits({true, false})), "");
 }
 
+/// A chuck that opens under a turning spindle is another machine's day than one that opens when it stands.
+TEST(Compare, WhatHoldsAtAFunctionOfTheMachine) {
+    const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1}, slower{900, cl::SpindleMode::rpm, 1},
+        stands{1000, cl::SpindleMode::rpm, 0};
+    cl::Spindle held = stands, aside = stands;
+    held.held = 90, aside.held = 91;
+    const auto does = [](const cl::Step& function, const cl::Spindle& before, const cl::Spindle& behind) {
+        return Steps{line(10), before, function, behind, line(20)};
+    };
+    for (const cl::Step& function : {cl::Step(cl::Auxiliary{'M', 69, 0}), cl::Step(cl::Output{1, false, 1, false})}) {
+        EXPECT_EQ(differences(does(function, turns, stands), does(function, stands, stands)), "spindle");
+        EXPECT_EQ(differences(does(function, turns, stands), does(function, slower, stands)), "spindle");
+        EXPECT_EQ(differences(does(function, held, stands), does(function, aside, stands)), "spindle");
+        EXPECT_EQ(differences(does(function, turns, stands), does(function, turns, stands)), "");
+        const Steps flows{line(10), cl::Coolant{true, false}, function, cl::Coolant{}, line(20)};
+        EXPECT_EQ(differences(flows, {line(10), function, line(20)}), "coolant");
+    }
+}
+
+TEST(Compare, WhatABlockOfAFunctionDoesHoldsThere) {
+    const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1};
+    const auto path = [](const Steps& steps) {
+        Path out(1e-4);
+        for (const cl::Step& s : steps) out.take({s, {0, 1, 2}, 0});  // all of one block
+        return out;
+    };
+    const cl::Auxiliary function{'M', 69, 0};
+    EXPECT_TRUE(compare(path({turns, function}), path({function, turns}), {}).first.empty());
+}
+
+TEST(Compare, WhatTurnsWhereAProgramIsOverCounts) {
+    const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1}, stands{1000, cl::SpindleMode::rpm, 0};
+    const cl::Stop end{cl::StopKind::end};
+    const Steps runs_on{turns, line(10)}, stopped{turns, line(10), stands}, ended{turns, line(10), stands, end};
+    const auto done = [](const Steps& a, const Steps& b) {
+        const Result r = compare(path_of(a), path_of(b), {});
+        return std::any_of(r.first.begin(), r.first.end(), [](const Difference& d) { return d.is_done; });
+    };
+    EXPECT_TRUE(done(ended, runs_on));
+    EXPECT_TRUE(done(runs_on, ended));
+    EXPECT_TRUE(done(stopped, runs_on));
+    EXPECT_FALSE(done(ended, stopped));
+    EXPECT_FALSE(done(stopped, ended));
+    EXPECT_FALSE(done(runs_on, runs_on));
+}
+
+TEST(Compare, ATapOfAHeldSpindleTurnsAsFastAsItsWordSays) {
+    const auto tap = [](double speed) {
+        cl::Spindle held{speed, cl::SpindleMode::rpm, 0};
+        held.held = 0;
+        cl::Thread thread;
+        thread.to = {0, 0, -20}, thread.pitch = 1.5, thread.rigid_tap = true, thread.axis = {0, 0, 1};
+        return Steps{line(10), held, thread};
+    };
+    EXPECT_EQ(differences(tap(500), tap(600)), "spindle");
+    EXPECT_EQ(differences(tap(500), tap(500)), "");
+}
+
+TEST(Compare, ACallOfTheToolInTheSpindleCountsOnOneControl) {
+    const cl::ToolChange tool{1, 1, ""};
+    const Steps once{tool, line(10), line(20)}, twice{tool, line(10), tool, line(20)};
+    constexpr Tolerance same{.same_control = true};
+    EXPECT_NE(compared(once, twice, same).of(Aspect::events), nullptr);
+    EXPECT_NE(compared(twice, once, same).of(Aspect::events), nullptr);
+    EXPECT_EQ(compared(twice, twice, same).of(Aspect::events), nullptr);
+    EXPECT_EQ(compared(once, twice, {}).of(Aspect::events), nullptr);
+}
+
 TEST(Compare, ADwellInRevolutionsIsOneInSecondsWhereTheSpindleTurns) {
     const cl::Spindle turns{1000, cl::SpindleMode::rpm, 1};
     EXPECT_EQ(
@@ -276,6 +375,24 @@ TEST(Compare, WhatIsLostInTheIncrementsOfAControl) {
     EXPECT_NE(said({line(10), line(10.0008), line(10.0016), line(20)}, {line(10), line(20.0011)}, 0.001), "")
         << "places do not drift";
     EXPECT_NE(said({line(10), line(10.002), line(10, 0.002)}, {line(10), line(10, 0.002)}, 0.001), "");
+}
+
+/// Beside a smooth joint that is rounded stands the arc of a corner, or none.
+TEST(Compare, AnArcOfNoLengthIsNoMove) {
+    const auto about = [](double sweep, double radius) {
+        cl::Arc arc;
+        arc.centre = {10, radius, 0};
+        arc.to = {10 + radius * std::sin(sweep), radius - radius * std::cos(sweep), 0};
+        arc.sweep = sweep;
+        return arc;
+    };
+    const Steps without{cl::Feed{100}, line(10), line(20)};
+    const auto with = [&](const cl::Arc& arc) { return Steps{cl::Feed{100}, line(10), arc, line(20)}; };
+    EXPECT_EQ(differences(without, with(about(1.6e-6, 5))), "");
+    EXPECT_EQ(differences(with(about(-1.6e-6, 5)), without), "");
+    EXPECT_NE(differences(without, with(about(1e-3, 5))), "");
+    EXPECT_NE(differences(without, with(about(geom::full_turn, 5))), "") << "it ends where it begins";
+    EXPECT_NE(differences(without, with(about(geom::full_turn - 1e-6, 5))), "");
 }
 
 TEST(Compare, SpeedsThatTheirWordHolds) {

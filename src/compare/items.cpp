@@ -16,6 +16,14 @@ bool ends_quietly(const Item& item) {
     return item.holding->spindle.direction == 0 && item.holding->coolant == cl::Coolant{};
 }
 
+/// Both programs end; what the control does then besides (it goes back to the beginning, changes pallets) is not the
+/// same.
+bool ends_otherwise(const Item& a, const Item& b) {
+    const auto* x = std::get_if<cl::Stop>(&a.step);
+    const auto* y = std::get_if<cl::Stop>(&b.step);
+    return x != nullptr && y != nullptr && !(*x == *y);
+}
+
 /// What is written from a program that says its end has to say it.
 bool needs_end(const Likeness& like, std::size_t side) { return like.is_written_from_a() && side == 0; }
 
@@ -49,7 +57,8 @@ void ItemPairs::compare(const Likeness& like, const Reached& reached, Found& fou
     }
     for (const std::size_t side : {0U, 1U})
         if (!over_ && is_lone(side, reached)) {
-            const bool quiet = reached.ended && !needs_end(like, side) && is_quiet_end(side);
+            const bool quiet =
+                reached.ended && !needs_end(like, side) && is_quiet_end(side) && reached.at_rest[1 - side];
             if (!quiet)
                 add_lone(side, found);
             else if (!like.is_written_from_a())
@@ -117,6 +126,10 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
                       : "compensation ends before it begins anew; in the other it changes its side in one block");
     if (aspect_ == Aspect::cycles || aspect_ == Aspect::compensation) return;  // they tell places of their own
     if (aspect_ == Aspect::events) compare_state(like, found);
+    if (ends_otherwise(a, b) && like.same_control() && !like.is_written_from_a() && !found.has(aspect_)) {
+        found.add(aspect_, &a, &b, a.moves, difference_of(a.step, b.step));
+        found.all.back().is_done = false;
+    }
     over_ = sides_[0].at.front() != sides_[1].at.front();
     if (over_)
         found.add(aspect_, &a, &b, a.moves,
@@ -124,12 +137,12 @@ void ItemPairs::compare_pair(const Likeness& like, Found& found) {
                       std::to_string(b.moves));
 }
 
-/// Spindle and coolant while the tool stands: dwells and stops; the end of a program stops both.
+/// Spindle and coolant while the tool stands: at dwells, stops and functions of the machine (a chuck that opens); the
+/// end of a program stops both.
 void ItemPairs::compare_state(const Likeness& like, Found& found) const {
     const Item &a = sides_[0].head(), &b = sides_[1].head();
     const auto* stop = std::get_if<cl::Stop>(&a.step);
-    const bool waits =
-        std::holds_alternative<cl::Dwell>(a.step) || (stop != nullptr && stop->kind != cl::StopKind::end);
+    const bool waits = has_state(a.step) && (stop == nullptr || stop->kind != cl::StopKind::end);
     if (!waits || !a.holding || !b.holding) return;
     const Holding &h = *a.holding, &k = *b.holding;
     // What was written may stop for longer what the program lets run: its own control's stop does that, and says so.

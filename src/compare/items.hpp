@@ -16,9 +16,10 @@ public:
     /// Those of a side that stand before its move `moves` stand at `piece`, and are all there is up to `settled`.
     void place(std::size_t side, std::size_t moves, std::size_t settled, std::size_t piece);
     struct Reached {
-        std::size_t piece = 0;       ///< how far both have come
-        std::array<bool, 2> here{};  ///< all that a side has up to there has been placed
-        bool ended = false;          ///< there are no more of either
+        std::size_t piece = 0;          ///< how far both have come
+        std::array<bool, 2> here{};     ///< all that a side has up to there has been placed
+        bool ended = false;             ///< there are no more of either
+        std::array<bool, 2> at_rest{};  ///< nothing turns or flows where a side has come to
     };
     /// Compares those that both have.
     void compare(const Likeness& like, const Reached& reached, Found& found);

@@ -98,6 +98,29 @@ public:
                (stands || share(a.limit, b.limit)) && a.held.has_value() == b.held.has_value() &&
                near(a.held.value_or(0), b.held.value_or(0), t_.angle);
     }
+    [[nodiscard]] bool operator()(const cl::OtherSpindle& a, const cl::OtherSpindle& b) const {
+        const auto same = [](const auto& x, const auto& y, auto alike) {
+            return x.has_value() == y.has_value() && (!x || alike(*x, *y));
+        };
+        const auto speeds = [&](double x, double y) { return speed(x, y); };
+        const auto angles = [&](double x, double y) { return near(x, y, t_.angle); };
+        return a.number == b.number && same(a.speed, b.speed, speeds) && a.direction == b.direction &&
+               same(a.held, b.held, angles) && same(a.limit, b.limit, speeds) && a.function == b.function;
+    }
+    /// What a program is given is in its moves; two programs of one control that are written by hand say it, too.
+    [[nodiscard]] bool operator()(const cl::PartBegin& a, const cl::PartBegin& b) const {
+        const auto alike = [&](const cl::PartArgument& x, const cl::PartArgument& y) {
+            return x.name == y.name && near(x.value, y.value, t_.length) && x.text == y.text;
+        };
+        const bool counts = same_control() && !is_written_from_a();
+        return a.kind == b.kind && a.name == b.name && a.pass == b.pass && a.passes == b.passes &&
+               (!counts ||
+                std::equal(a.arguments.begin(), a.arguments.end(), b.arguments.begin(), b.arguments.end(), alike));
+    }
+    /// What the end of a program does besides ending it is told apart by ItemPairs.
+    [[nodiscard]] bool operator()(const cl::Stop& a, const cl::Stop& b) const {
+        return a.kind == b.kind && (a.kind == cl::StopKind::end || a.pallets == b.pallets);
+    }
     [[nodiscard]] bool operator()(const cl::ToolChange& a, const cl::ToolChange& b) const {
         return a.number == b.number && a.edge == b.edge && a.offset == b.offset && a.name == b.name &&
                near(a.raised, b.raised, t_.length) && near(a.wider, b.wider, t_.length);

@@ -51,6 +51,12 @@ std::int64_t length_of(const motion::State& s) {
 
 }  // namespace
 
+bool has_state(const cl::Step& event) {
+    const auto* output = std::get_if<cl::Output>(&event);  // one with the next move is looked at there
+    return std::holds_alternative<cl::Dwell>(event) || std::holds_alternative<cl::Stop>(event) ||
+           std::holds_alternative<cl::Auxiliary>(event) || (output != nullptr && !output->with_motion);
+}
+
 bool can_be_joined(const Holding& h, bool rapid) {
     const bool stops = h.path && h.path->kind == cl::PathKind::exact_stop;
     return !stops && (rapid || h.feed.mode != cl::FeedMode::inverse_time);
@@ -122,10 +128,17 @@ bool turned_by_control(const cl::Frame& frame) {
 
 }  // namespace
 
+/// An arc no longer than places lie apart: rounded words beside a smooth joint have it or not.
+bool Path::is_of_no_length(const cl::Arc& arc) const {
+    if (!at_ || !axes_.empty() || !near(*at_, arc.to, same_place_) || !near(tool_, arc.axis, 1e-6)) return false;
+    return std::abs(arc.sweep) * geom::length(geom::cross(*at_ - arc.centre, arc.normal)) <= same_place_;
+}
+
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
 /// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells, or with the end of a
 /// plane to which it has turned: where the tip is then nobody knows.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
+    if (const auto* arc = std::get_if<cl::Arc>(&step)) return is_of_no_length(*arc);
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool by_control = tilts_ && (was_turned_ || turned_by_control(cursor_.state().frame));
     const bool unknown = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z);
@@ -277,13 +290,15 @@ void Path::take(const cl::Record& record) {
     was_turned_ = was_turned_ || (std::holds_alternative<cl::Frame>(step) && turned_by_control(cursor_.state().frame));
     cursor_.take(record);
     held_ = false;
+    const auto* stop = std::get_if<cl::Stop>(&step);
+    ends_ = ends_ || (stop != nullptr && stop->kind == cl::StopKind::end);
     tilts_ = tilts_ || std::holds_alternative<cl::Frame>(step);
     // Another zero: the tool stands still, and its place has other numbers.
     if (std::holds_alternative<cl::Datum>(step) && !(cursor_.state().datum == datum)) at_.reset();
-    // What a block of a stop does besides holds while the machine stands, whatever stands first in it.
-    const bool with_stop = !events.none_left() && std::holds_alternative<cl::Stop>(events.back().step) &&
-                           events.back().from == record.from && events.back().moves == moves.size();
-    if (with_stop && (std::holds_alternative<cl::Spindle>(step) || std::holds_alternative<cl::Coolant>(step))) {
+    // What a block of a stop or function does besides holds there, whatever stands first in it.
+    const bool of_block = !events.none_left() && has_state(events.back().step) && events.back().from == record.from &&
+                          events.back().moves == moves.size();
+    if (of_block && (std::holds_alternative<cl::Spindle>(step) || std::holds_alternative<cl::Coolant>(step))) {
         hold();
         events.back().holding = holding_;
     }

@@ -34,6 +34,9 @@ struct Holding {
 /// Two moves with this are the same as one that leads as far: none takes a time of its own, none ends standing still.
 [[nodiscard]] bool can_be_joined(const Holding& holding, bool rapid);
 
+/// What turns and flows while it happens counts.
+[[nodiscard]] bool has_state(const cl::Step& event);
+
 struct Item {
     cl::Step step;
     base::Span from;
@@ -76,6 +79,12 @@ public:
         return out;
     }
 
+    /// After all that has been taken.
+    [[nodiscard]] const motion::State& state() const { return cursor_.state(); }
+    /// Nothing turns or flows there.
+    [[nodiscard]] bool is_at_rest() const { return state().spindle.direction == 0 && state().coolant == cl::Coolant{}; }
+    [[nodiscard]] bool says_its_end() const { return ends_; }
+
     Kept<Move> moves;                  ///< the last may go on while records come
     bool compensates_length = false;   ///< anywhere
     bool has_several_tools = false;    ///< that move
@@ -85,6 +94,7 @@ public:
 
 private:
     void take_move(const cl::Record& record, const geom::Vec3& to);
+    [[nodiscard]] bool is_of_no_length(const cl::Arc& arc) const;
     [[nodiscard]] bool leads_nowhere(const cl::Step& step, const geom::Vec3& to) const;
     [[nodiscard]] bool has_turned_before(const cl::Step& step) const;
     [[nodiscard]] bool is_turned() const;
@@ -105,6 +115,7 @@ private:
     std::shared_ptr<const Holding> moving_;  ///< what held at the last move under a tool
     std::shared_ptr<const Holding> holding_ = std::make_shared<const Holding>();
     Holding marked_;             ///< the same, with numbers in the place of those that nobody knows
+    bool ends_ = false;          ///< the end of the program has been said
     bool held_ = false;          ///< nothing came since that would change it
     cl::ToolChange changed_to_;  ///< last, also where it does not count (to_holder_)
     bool to_holder_ = false;     ///< the next move leads what holds the tool to a place of the machine

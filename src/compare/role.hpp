@@ -20,8 +20,8 @@ struct RoleOf {
                                  cl::Tolerance, cl::PathMode> auto&) const {
         return Role::holds;
     }
-    Role operator()(const one_of<cl::ToolChange, cl::ToolData, cl::Stop, cl::Dwell, cl::Auxiliary, cl::MachinePlace,
-                                 cl::DatumData, cl::Output, cl::Override> auto&) const {
+    Role operator()(const one_of<cl::OtherSpindle, cl::ToolChange, cl::ToolData, cl::Stop, cl::Dwell, cl::Auxiliary,
+                                 cl::MachinePlace, cl::DatumData, cl::Output, cl::Override> auto&) const {
         return Role::event;
     }
     Role operator()(const one_of<cl::CycleBegin, cl::CycleEnd> auto&) const { return Role::cycle; }

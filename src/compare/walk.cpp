@@ -25,6 +25,10 @@ bool is_rigid_tap(const cl::Step& step) {
     return thread != nullptr && thread->rigid_tap;
 }
 
+std::string tapping(const cl::Spindle& s) {
+    return "tapping at " + (std::isnan(s.speed) ? "an unknown speed" : base::shortest(s.speed) + " 1/min");
+}
+
 /// Coupled to the way as a tap is, the spindle turns as the sign of the pitch says, whichever way it turned before, or
 /// held as some controls want it before a tap.
 bool may_tap_alike(const cl::Spindle& a, const cl::Spindle& b) {
@@ -89,10 +93,11 @@ Walk::Walk(const Path& a, const Path& b, const Tolerance& t)
 
 void Walk::compare_items(bool ended) {
     if (std::none_of(items.begin(), items.end(), [](const ItemPairs& pairs) { return pairs.any_waits(); })) return;
-    std::array<bool, 2> here{};
+    std::array<bool, 2> here{}, at_rest{};
     for (const std::size_t side : {0U, 1U}) {
         const Follower& s = sides[side];
         here[side] = s.has_piece() || s.is_over();
+        at_rest[side] = s.path().is_at_rest();
         if (s.is_begun()) continue;  // all has been placed where the move began
         const Path& p = s.path();
         const auto lists = p.items();
@@ -102,7 +107,7 @@ void Walk::compare_items(bool ended) {
             items[i].place(side, s.number(), list.size() - (open ? 1 : 0), pieces_);
         }
     }
-    for (std::size_t i = 0; i < items.size(); ++i) items[i].compare(like, {pieces_, here, ended}, between_[i]);
+    for (std::size_t i = 0; i < items.size(); ++i) items[i].compare(like, {pieces_, here, ended, at_rest}, between_[i]);
 }
 
 void Walk::advance() {
@@ -222,6 +227,10 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     const bool taps = of_tap && may_tap_alike(h.spindle, other);
     if (taps) other.direction = h.spindle.direction, other.held = h.spindle.held;
     held(Aspect::spindle, h.spindle, other);
+    // A spindle that is held before it turns by the tap's own word.
+    const bool by_tap = is_rigid_tap(a.step) && is_rigid_tap(b.step);
+    if (by_tap && !like.speed(h.spindle.speed, k.spindle.speed) && !to.has(Aspect::spindle))
+        to.add(Aspect::spindle, &a, &b, number(), tapping(h.spindle) + "; in the other " + tapping(k.spindle));
     held(Aspect::coolant, h.coolant, k.coolant);
     held(Aspect::tool, h.tool, k.tool);
     const bool as_long =
@@ -252,6 +261,35 @@ void Walk::compare_turns(const Move& a, const Move& b) {
         found().add(turn_aspect, &a, &b, number(), what + words(*u));
     else if (may_turn_otherwise(*t, *u, like))
         found().add(unsaid_turn_aspect, &a, &b, number(), what + words(*u));
+}
+
+/// A call of the tool in the spindle changes nothing of it, but the machine stops for it.
+void Walk::compare_calls(Found& to) const {
+    const Path &a = sides[0].path(), &b = sides[1].path();
+    const bool counts = b.calls_again > a.calls_again ? like.is_written_from_a() || like.same_control()
+                                                      : a.calls_again > b.calls_again && like.same_control();
+    if (!counts || to.has(Aspect::events)) return;
+    const bool more_in_a = a.calls_again > b.calls_again;
+    const Item& call = more_in_a ? *a.called_again : *b.called_again;
+    const auto* none = static_cast<const Item*>(nullptr);
+    to.add(Aspect::events, more_in_a ? &call : none, more_in_a ? none : &call, call.moves,
+           words(call.step) +
+               (more_in_a ? " is called again, in the other it is not as often" : " is called again in the other"));
+}
+
+/// What still turns or flows where both programs are over without saying so: an end that is said stops it.
+void Walk::compare_ends(Found& to) const {
+    const Path &a = sides[0].path(), &b = sides[1].path();
+    if (a.says_its_end() || b.says_its_end()) return;
+    const motion::State &s = a.state(), &t = b.state();
+    const auto* none = static_cast<const Item*>(nullptr);
+    const auto left = [&](Aspect aspect, const auto& x, const auto& y) {
+        if (!like(x, y))
+            to.add(aspect, none, none, number(),
+                   "where the program is over: " + words(x) + "; in the other " + words(y));
+    };
+    left(Aspect::spindle, s.spindle, t.spindle);
+    left(Aspect::coolant, s.coolant, t.coolant);
 }
 
 Result Walk::finish() {
@@ -293,11 +331,9 @@ Result Walk::finish() {
         if (!sorted.has(d.aspect)) sorted.all.push_back(std::move(d));
     }
     for (const Found& found : between_) sorted.add(found);
+    compare_ends(sorted);
     const Path &a = sides[0].path(), &b = sides[1].path();
-    // A call that changes nothing is not left out for nothing: the machine stops for it.
-    if (like.is_written_from_a() && b.calls_again > a.calls_again && !sorted.has(Aspect::events))
-        sorted.add(Aspect::events, static_cast<const Item*>(nullptr), &*b.called_again, b.called_again->moves,
-                   words(b.called_again->step) + " is called again in the other");
+    compare_calls(sorted);
     out.first = std::move(sorted.all);
     return out;
 }

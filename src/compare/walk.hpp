@@ -56,6 +56,8 @@ private:
     [[nodiscard]] bool compare_piece();
     void compare_turns(const Move& a, const Move& b);
     void compare_holding(const Move& a, const Move& b);
+    void compare_calls(Found& to) const;
+    void compare_ends(Found& to) const;
     void add_motion(Found& to, const Move* a, const Move* b, std::size_t at, std::string what) const;
     void differs(const Move& a, const Move& b, std::size_t at);
     void pass_lone(std::size_t side);

@@ -43,12 +43,40 @@ double Course::checked(Role role, double value) {
     return value;
 }
 
-double Course::need(Role role) {
-    const auto value = demand_.find(role);
-    if (value) return checked(role, *value);
-    fault(role, std::string(name(role)) + " is not given");
-    return unknown;
+double Course::taken(Role role, const Said& written, Must must) {
+    if (must == Must::be_asked_for) return written.value_or(unknown);
+    const bool is_feed = must == Must::be_feed || must == Must::be_feed_or_0;
+    if (is_feed && written && may_be_rapid(role) && std::isinf(*written) && *written > 0) return *written;
+    if (!written) fault(role, std::string(name(role)) + " is not given");
+    const double value = written ? checked(role, *written) : unknown;
+    switch (must) {
+        case Must::be_known:
+        case Must::be_asked_for: break;
+        case Must::be_at_least_0:
+            if (value < 0) fault(role, std::string(name(role)) + " must not be below 0");
+            break;
+        case Must::be_above_0:
+            if (value <= 0) fault(role, std::string(name(role)) + " must be greater than 0");
+            break;
+        case Must::be_other_than_0:
+            if (value == 0) fault(role, "the " + std::string(name(role)) + " must not be 0");
+            break;
+        case Must::be_feed:
+        case Must::be_feed_or_0:
+            if (value < 0 || (value == 0 && must == Must::be_feed))
+                fault(role, "Feed rate is missing: " + std::string(name(role)) + " must be greater than 0");
+            break;
+        case Must::go_down:
+        case Must::go_deep:
+            if (value > 0)
+                fault(role, "Enter depth as a negative value", "a depth is measured downwards from the surface");
+            if (value == 0 && must == Must::go_deep) not_executed(role);
+            break;
+    }
+    return value;
 }
+
+double Course::need(Role role) { return taken(role, demand_.find(role), Must::be_known); }
 
 double Course::maybe(Role role, double otherwise) {
     const auto value = demand_.find(role);
@@ -56,7 +84,11 @@ double Course::maybe(Role role, double otherwise) {
 }
 
 int Course::whole(Role role, int otherwise, int least, int most, const char* what) {
-    const double value = maybe(role, otherwise);
+    return whole(role, maybe(role, otherwise), otherwise, least, most, what);
+}
+
+int Course::whole(Role role, const Said& said, int otherwise, int least, int most, const char* what) {
+    const double value = said.value_or(otherwise);
     if (const auto n = base::whole<int>(value, least, most)) return *n;
     if (!std::isnan(value))
         fault(role, std::string(what) + " must be a whole number from " + std::to_string(least) + " to " +
@@ -64,17 +96,14 @@ int Course::whole(Role role, int otherwise, int least, int most, const char* wha
     return least;
 }
 
-double Course::at_least(Role role, double least) {
-    const double value = need(role);
+double Course::at_least(Role role, double least) { return not_below(role, need(role), least); }
+
+double Course::not_below(Role role, double value, double least) {
     if (value < least) fault(role, std::string(name(role)) + " must not be below " + base::shortest(least));
     return value;
 }
 
-double Course::positive(Role role) {
-    const double value = need(role);
-    if (value <= 0) fault(role, std::string(name(role)) + " must be greater than 0");
-    return value;
-}
+double Course::positive(Role role) { return taken(role, demand_.find(role), Must::be_above_0); }
 
 double Course::step(Role role) {
     const double value = need(role);
@@ -99,8 +128,8 @@ double Course::feed_or(Role role, double otherwise) {
     return !value || *value == 0 ? otherwise : feed(role);
 }
 
-double Course::feed_or_programmed(Role role, double programmed) {
-    if (demand_.get(role, 0) != 0) return feed(role);
+double Course::feed_in_force_or(const Said& said, Role role, double programmed) {
+    if (said && *said != 0) return *said;
     if (known(programmed, "the feed rate") <= 0) fault(role, "Feed rate is missing", "program a feed rate F");
     return programmed;
 }
@@ -151,6 +180,11 @@ void Course::not_executed(Role role) {
 
 void Course::remark(Role role, std::string text) { out_.complaints.push_back({false, std::move(text), {}, role}); }
 
+void Course::doubt(Role role, std::string text, std::string remedy) {
+    out_.complaints.push_back({false, std::move(text), std::move(remedy), role});
+    out_.complaints.back().doubtful = true;
+}
+
 void Course::remark(std::string text, std::string remedy) {
     out_.complaints.push_back({false, std::move(text), std::move(remedy), std::nullopt});
 }
@@ -166,6 +200,7 @@ bool Course::room() {
     if (out_.steps.size() < most_steps) return true;
     full_ = true;
     fault("the cycle takes more than " + base::shortest(double(most_steps)) + " steps", "enter larger infeeds");
+    out_.complaints.back().too_many = true;
     return false;
 }
 
@@ -232,16 +267,6 @@ Expansion Course::finish() {
     }
     if (!out_.ok()) out_.steps.clear();
     return std::move(out_);
-}
-
-Heights read_heights(Course& course) {
-    Heights h;
-    h.surface = course.need(Role::surface);
-    const double clearance = course.at_least(Role::clearance, 0);
-    h.clearance = h.surface + clearance;
-    h.bottom = h.surface + course.depth();
-    h.end = h.surface + std::max(clearance, course.maybe_at_least(Role::second_clearance, 0, 0));
-    return h;
 }
 
 Expansion expand_by(Family family, const Demand& demand, const Situation& situation, bool anywhere) {

@@ -16,6 +16,22 @@ using Role = cl::CycleRole;
 inline constexpr double largest_input = 1e7;        ///< beyond every control's input range
 inline constexpr double most_helix_turns = 10'000;  ///< of one helix; more are a complaint
 
+/// What a call may leave out: nothing where it is not written; NaN: it is, and not known.
+using Said = std::optional<double>;
+
+/// What a value must be beyond finite and known; else it is complained of.
+enum class Must : std::uint8_t {
+    be_known,
+    be_at_least_0,
+    be_above_0,
+    be_other_than_0,
+    be_feed,       ///< mm/min, above 0; infinity is rapid traverse (pre-positioning and retraction only)
+    be_feed_or_0,  ///< as above; 0 is as if it were not written
+    go_down,       ///< a depth: not above 0
+    go_deep,       ///< a depth: not above 0; where it is 0 the control does not execute the cycle
+    be_asked_for,  ///< nothing: another value makes it matter, and the cycle asks for it then
+};
+
 /// One expansion in the making. A parameter that is missing, out of its range or not known is complained of once; the
 /// family asks `ready()` before it makes the first step.
 class Course {
@@ -25,6 +41,10 @@ public:
     Course(const Demand& demand, const Situation& situation, bool anywhere);
 
     // Parameters.
+    /// The value; below `least` it is a fault.
+    double not_below(Role role, double value, double least);
+    /// What is written for a role as it must be; not written is a fault.
+    double taken(Role role, const Said& written, Must must);
     /// Must be written, finite and known.
     double need(Role role);
     /// Not written: `otherwise`; written, it must be finite and known.
@@ -32,6 +52,8 @@ public:
     /// Not written: `otherwise`; written, one of the whole numbers from `least` to `most`. `what` names it in the
     /// message.
     int whole(Role role, int otherwise, int least, int most, const char* what);
+    /// The same of what was read.
+    int whole(Role role, const Said& said, int otherwise, int least, int most, const char* what);
     double at_least(Role role, double least);  ///< need, and not below
     double positive(Role role);                ///< need, and above 0
     /// A size whose sign only says that it goes down: not 0; the sign is left out.
@@ -41,8 +63,8 @@ public:
     double feed(Role role);
     /// 0 and not written: `otherwise`.
     double feed_or(Role role, double otherwise);
-    /// 0 and not written: the feed programmed last, which must be known.
-    double feed_or_programmed(Role role, double programmed);
+    /// 0 and not said: the feed programmed last, which must be known.
+    double feed_in_force_or(const Said& said, Role role, double programmed);
     /// `need` for the depth: positive is a complaint; 0 is one that is not fatal and makes `ready` false: the control
     /// does not execute the cycle.
     double depth(Role role = Role::depth);
@@ -60,6 +82,8 @@ public:
     /// Something worth saying that changes nothing.
     void remark(Role role, std::string text);
     void remark(std::string text, std::string remedy = {});
+    /// The control runs it, and hardly anybody means it so.
+    void doubt(Role role, std::string text, std::string remedy);
     void not_simulated(std::string text, std::string remedy = {});
     /// The path is not documented in this point and was chosen: see Expansion::assumption.
     void assume(std::string_view text) { out_.assumption = text; }
@@ -100,13 +124,6 @@ private:
     bool ready_ = true, full_ = false;
     std::optional<Complaint> skipped_;  ///< why the control passes over the cycle
 };
-
-/// Heights of a hole, absolute w: what nearly every cycle begins with.
-struct Heights {
-    double surface = 0, clearance = 0, bottom = 0, end = 0;  ///< end: where the tool stands after the cycle
-};
-/// From surface, clearance, depth and second clearance; complaints are in the course.
-[[nodiscard]] Heights read_heights(Course& course);
 
 /// Expands the kinds that a room's door sends it.
 using Family = void (*)(Course&, const Demand&, const Situation&);

@@ -50,6 +50,8 @@ struct Complaint {
     std::string remedy;                    ///< may be empty
     std::optional<cl::CycleRole> role;     ///< the parameter at fault
     std::optional<std::size_t> element{};  ///< the element of a turning cycle's contour at fault
+    bool doubtful = false;                 ///< hardly meant so: a finding, and the cycle is run
+    bool too_many = false;                 ///< the steps are more than `most_steps`
 };
 
 struct Expansion {

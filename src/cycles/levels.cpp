@@ -8,16 +8,6 @@ double Infeeds::of(int step) const {
     return decrement > 0 ? std::min(first, std::max(first - step * decrement, least)) : first;
 }
 
-Infeeds read_infeeds(Course& c, bool with_decrement) {
-    Infeeds i;
-    i.first = c.positive(Role::infeed);
-    if (with_decrement) {
-        i.decrement = c.maybe_at_least(Role::decrement, 0, 0);
-        i.least = c.maybe_at_least(Role::min_infeed, 0, 0);
-    }
-    return i;
-}
-
 std::vector<double> levels_of(Course& c, double top, double bottom, const Infeeds& infeeds) {
     std::vector<double> levels;
     double level = top;
@@ -35,11 +25,9 @@ std::vector<double> levels_of(Course& c, double top, double bottom, const Infeed
     return levels;
 }
 
-double read_break_depth(Course& c, double hole) {
-    const double every = c.maybe_at_least(Role::chip_break_depth, 0, 0);
+void check_breaks(Course& c, double every, double hole) {
     if (every > 0 && hole / every > double(most_steps) / 8)
         c.fault(Role::chip_break_depth, "the infeed depth for chip breaking is too small for the depth");
-    return every;
 }
 
 namespace {

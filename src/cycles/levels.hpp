@@ -17,13 +17,12 @@ struct Infeeds {
     double first = 0, decrement = 0, least = 0;
     [[nodiscard]] double of(int step) const;
 };
-[[nodiscard]] Infeeds read_infeeds(Course& course, bool with_decrement);
 
 /// The depths at which the infeeds end, from `top` down to `bottom`, which is the last. Empty after a complaint.
 [[nodiscard]] std::vector<double> levels_of(Course& course, double top, double bottom, const Infeeds& infeeds);
 
-/// Distance of chip breaks over a hole of this depth (positive), 0 for none; far too many are a complaint.
-[[nodiscard]] double read_break_depth(Course& course, double hole);
+/// Far too many chip breaks, one at every such depth over a hole (both positive; 0 for none), are a complaint.
+void check_breaks(Course& course, double every, double hole);
 
 /// Deep-hole pecking: full retract after every infeed, chip breaks within it, advanced stop distances.
 struct Pecking {

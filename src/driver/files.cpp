@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "base/codes.hpp"
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 #include "driver/large_text.hpp"
 #include "driver/output_file.hpp"
 #include "read/fusion/listing.hpp"
-#include "shop/nearest.hpp"
 
 namespace obrys::driver {
 
@@ -36,7 +36,7 @@ std::string similar_names(const Storage& from, const fs::path& folder, std::stri
     std::vector<std::pair<std::size_t, std::string>> near;
     for (const fs::path& path : from.list(folder)) {
         const std::string other = path.filename().string();
-        const std::size_t distance = shop::edit_distance(base::to_upper(name), base::to_upper(other));
+        const std::size_t distance = base::edit_distance(base::to_upper(name), base::to_upper(other));
         const std::size_t stem = fs::path(name).stem().string().size();
         if (distance > std::max<std::size_t>(stem > 3 ? 2 : 1, stem / 3)) continue;
         if (from.look(path).kind != StoredEntry::Kind::folder) near.emplace_back(distance, other);
@@ -109,7 +109,34 @@ bool is_utf16(std::string_view text) {
     const std::size_t n = std::min<std::size_t>(text.size() / 2 * 2, 64);
     std::size_t even = 0, odd = 0;
     for (std::size_t i = 0; i < n; i += 2) even += text[i] == '\0' ? 1 : 0, odd += text[i + 1] == '\0' ? 1 : 0;
-    return n >= 4 && ((even == 0 && odd == n / 2) || (odd == 0 && even == n / 2));
+    const auto ordinary = [&](std::size_t zeros) { return 4 * zeros >= n / 2; };  // letters of other scripts have none
+    const auto of_scripts = [&](std::size_t first) {                              // Latin, Greek, Cyrillic, Hebrew
+        for (std::size_t i = first; i < n; i += 2)
+            if (static_cast<unsigned char>(text[i]) > 0x06) return false;
+        return true;
+    };
+    return n >= 4 && ((even == 0 && ordinary(odd) && of_scripts(1)) || (odd == 0 && ordinary(even) && of_scripts(0)));
+}
+
+/// The code of IBM mainframes: digits from F0, capital letters in three rows from C1, a blank 40, a line's end 15
+/// or 25.
+bool is_ebcdic(std::string_view text) {
+    const std::string_view head = text.substr(0, base::telling_bytes);
+    std::size_t digits = 0, signs = 0;
+    constexpr std::string_view others =
+        "\x40\x4B\x4D\x4E\x50\x5B\x5C\x5D\x5E\x60\x61\x6B\x6C\x6D\x7A\x7B\x7E\x15\x25\x0D";
+    for (const char c : head) {
+        const auto byte = static_cast<unsigned char>(c);
+        const unsigned column = byte & 0x0FU, row = byte >> 4U;
+        const bool digit = row == 0xF && column <= 9;
+        const bool letter = (row >= 0x8 && row <= 0xE && row != 0xB && column >= 1 && column <= 9);
+        digits += digit ? 1 : 0;
+        signs += digit || letter || others.find(c) != std::string_view::npos ? 1 : 0;
+    }
+    constexpr std::size_t least = 8, part_of_digits = 5, percent = 98;
+    const bool ascii = std::any_of(head.begin(), head.end(), base::is_digit);
+    return head.size() >= least && !ascii && digits * part_of_digits >= head.size() &&
+           signs * 100 >= percent * head.size();
 }
 
 /// What a DNC link and punched tape leave in front of a text and behind it, each a blank for the readers: NUL, the
@@ -130,6 +157,11 @@ bool is_text(std::string_view text, const std::string& shown, base::Diagnostics&
     if (is_utf16(text)) {
         complain(diagnostics, codes::file_binary, where, shown + " is UTF-16 text, which no control reads",
                  "save it as UTF-8 or ANSI, in an editor of Windows not as \"Unicode\"");
+        return false;
+    }
+    if (is_ebcdic(text)) {
+        complain(diagnostics, codes::file_binary, where, shown + " is text in EBCDIC, the code of mainframes",
+                 "convert it to ASCII: iconv -f IBM037 -t ASCII");
         return false;
     }
     if (base::looks_binary(text)) {

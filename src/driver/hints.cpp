@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 
 namespace obrys::driver {
@@ -53,7 +54,9 @@ void ask_for_points(const std::vector<std::shared_ptr<const program::Unit>>& uni
                 f.where.begin >= unit->end)
                 continue;
             const std::string words = words_without_point(*unit, sources[f.where.file].text, f.where.begin);
-            if (words.empty()) continue;
+            // Such a finding asks for the point of its word by itself.
+            const bool asked = f.code == base::codes::infeed_implausible && words.find(',') == std::string::npos;
+            if (words.empty() || asked) continue;
             f.remedy += (f.remedy.empty() ? "" : "; ") + words +
                         (words.find(',') == std::string::npos ? " is" : " are") +
                         " read in increments (0.001 mm, 0.0001 inch): look whether a decimal point is missing";

@@ -301,6 +301,11 @@ Settled translate(Session& session, const write::Post& post, const Request& want
         return better_with(write::Post(best.post), by_moves);
     };
     const bool once = post.staircase || post.magazine;
+    if (const auto straight =
+            options.chord > 0 && !once ? with_chords(best.settled.translated, options.chord) : std::nullopt) {
+        best.settled = {write_again(*straight, post, options, {}), {}};
+        best.settled.proved = hold_against(best.settled.translated, post, request, session, tolerance);
+    }
     if (!once && may_go_by_tool_path(best.settled)) static_cast<void>(better_by(by_tool_path(post)));
     for (int attempt = 0; attempt < most_attempts && !once; ++attempt) {
         const std::optional<std::size_t> at = differs_at(best.settled.proved);

@@ -10,6 +10,7 @@
 #include "driver/control.hpp"
 #include "driver/files.hpp"
 #include "driver/stream_file.hpp"
+#include "motion/chords.hpp"
 #include "shop/home.hpp"
 #include "shop/nearest.hpp"
 
@@ -25,13 +26,20 @@ std::vector<std::string> candidates(const std::string& name, shop::MachineKind k
     return {name};
 }
 
+std::vector<std::string> posts_for_lathes() {
+    std::vector<std::string> out = write::shipped_post_names();
+    std::erase_if(out, [](const std::string& name) { return !name.ends_with("-lathe"); });
+    return out;
+}
+
 /// A post whose control is none that can be read: what is written by it could not be run. Staircases are for mills.
 std::optional<write::Post> checked(std::optional<write::Post> post, std::uint32_t file, Session& s, PostFor way) {
     const bool for_mills = post && (post->staircase || (post->for_mills_alone && way == PostFor::moves));
     if (for_mills && s.job.machine.kind == shop::MachineKind::lathe) {
         complain(s.diagnostics, codes::job_value, {file, 0, 0},
                  std::string("this post is for mills") + (post->staircase ? " that move one axis at a time" : "") +
-                     ", and the machine turns");
+                     ", and the machine turns",
+                 "posts for lathes: " + shop::joined(posts_for_lathes()));
         return std::nullopt;
     }
     if (!post || post->control.empty() || find_control(post->control) != nullptr) return post;
@@ -270,6 +278,8 @@ Translated write_again(const Translated& first, const write::Post& post, const T
     Translated out;
     out.ending = first.ending, out.repeats = first.repeats;
     out.does = first.does;
+    out.chords = first.chords;
+    for (const write::Note& note : out.chords) static_cast<void>(out.ledger.add(note));
     out.homes = first.homes;
     make_room(*out.text, first.text->size());
     write_stream(
@@ -280,6 +290,34 @@ Translated write_again(const Translated& first, const write::Post& post, const T
             }
         },
         nullptr, by_moves);
+    return out;
+}
+
+std::optional<Translated> with_chords(const Translated& first, double chord) {
+    std::vector<const write::Note*> lost;
+    for (const Ledger::Entry& entry : first.ledger.entries())
+        if (entry.note.may_be_lines) lost.push_back(&entry.note);
+    if (lost.empty()) return std::nullopt;
+    Translated out;
+    out.ending = first.ending, out.repeats = first.repeats, out.homes = first.homes;
+    const auto is_lost = [&](const cl::Record& record) {
+        const auto of = [&](const write::Note* note) {
+            return note->from == record.from && note->stack == record.stack;
+        };
+        const auto found = std::find_if(lost.begin(), lost.end(), of);
+        if (found == lost.end()) return false;
+        write::Note told;
+        told.fate = write::Fate::expanded;
+        told.what = "a curve";
+        told.from = record.from, told.stack = record.stack;
+        told.instead = "is written as straight lines within the tolerance of --chord";
+        out.chords.push_back(std::move(told));
+        return true;
+    };
+    cl::Recording does;
+    if (motion::take_chords(*first.does, chord, is_lost, does) == 0) return std::nullopt;
+    out.does = std::make_shared<const cl::Recording>(std::move(does));
+    out.text = first.text;
     return out;
 }
 

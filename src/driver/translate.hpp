@@ -59,11 +59,16 @@ struct Translated {
     bool repeats = false;                             ///< it begins anew, without end
     write::Homes homes{};                             ///< of the machine that it was run on
     bool begins_anew = false;                         ///< what is written does so, too
+    std::vector<write::Note>
+        chords{};  ///< curves that `does` has as straight lines, since the post has no words for them
 };
 
 struct TranslateOptions {
     std::string name;    ///< of the program, in its head
     bool files = false;  ///< subprograms may stand in files of their own, where the post has such
+    /// mm: a curve that the post has no words for may stand there as straight lines that lie no farther from it; 0: it
+    /// is lost.
+    double chord = 0;
 };
 /// Runs the main program and writes it.
 [[nodiscard]] Translated write_program(Session& session, const write::Post& post, const TranslateOptions& options);
@@ -72,6 +77,9 @@ struct TranslateOptions {
 /// `by_moves`: cycles, counted from 0, that are written by their moves.
 [[nodiscard]] Translated write_again(const Translated& first, const write::Post& post, const TranslateOptions& options,
                                      const std::set<std::size_t>& by_moves);
+/// What does the same, but for the curves that are lost: these are straight lines within `chord` mm, and are told as
+/// such. Nothing where no curve can be. To be written again.
+[[nodiscard]] std::optional<Translated> with_chords(const Translated& first, double chord);
 /// Adds what is expanded or lost to the session's diagnostics, and what was not understood to the ledger. Once.
 void tell(Session& session, Translated& translated);
 

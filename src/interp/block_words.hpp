@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cl/technology.hpp"
 #include "interp/variables.hpp"
 #include "program/unit.hpp"
 #include "program/word.hpp"
@@ -45,7 +46,7 @@ struct BlockWords {
     std::array<double, 64> value;            ///< by Code; valid where the bit is set
     std::array<std::uint8_t, 64> reference;  ///< 0 = as the modal state says, else 1 + program::Reference
     std::vector<int> m;
-    std::vector<int> h;
+    std::vector<cl::Auxiliary> h;
     std::vector<NamedAxis> axes;  ///< additional axes by name
     std::string tool_name;
     bool tool_named = false;

@@ -60,8 +60,9 @@ struct Activation {
     std::uint32_t entry = 0;                               ///< statement with which every run of it begins
     std::uint64_t repeats = 0;                             ///< of L123 P3: further runs
     std::uint64_t repeats_left = 0;                        ///< of them
-    std::size_t own_bindings = 0;       ///< bindings that are parameters; the rest goes with each run
-    std::uint32_t arguments_given = 0;  ///< bit per parameter, for $P_SUBPAR
+    std::size_t own_bindings = 0;             ///< bindings that are parameters; the rest goes with each run
+    std::uint32_t arguments_given = 0;        ///< bit per parameter, for $P_SUBPAR
+    std::vector<cl::PartArgument> arguments;  ///< those that the call gives, for the stream
     bool from_modal_call = false;
     bool is_text = false;         ///< of EXECSTRING: a block, not a program
     bool is_piece = false;        ///< … of the program below, read anew (read_again.cpp)

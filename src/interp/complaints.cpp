@@ -91,6 +91,11 @@ void unchecked_once(Saying& run, std::string_view code, const base::Span& where,
                    {{Severity::warning, code, where, std::move(text), std::move(remedy), {}, {}}, false, true, true});
 }
 
+void doubt(Saying& run, std::string_view code, const base::Span& where, std::string text, std::string remedy) {
+    hand_over_here(run,
+                   {{Severity::warning, code, where, std::move(text), std::move(remedy), {}, {}}, false, false, true});
+}
+
 void assume(Saying& run, const base::Span& where, std::string text, std::string remedy) {
     hand_over_here(
         run,

@@ -35,6 +35,12 @@ struct HoleCall {
     }
 };
 
+/// A word of a cycle that stays with the control, and where it was said.
+struct KeptSetting {
+    double value = 0;  ///< mm, degrees
+    base::Span where;
+};
+
 /// MCALL: the call that follows every block with motion.
 struct ModalCall {
     const Unit* unit = nullptr;
@@ -70,6 +76,7 @@ struct CannedState {
     bool bottom_from_retract = false;  ///< it was said in G91
     std::array<double, 12> values{};   ///< by word of the cycle; mm, degrees, s
     std::array<bool, 12> given{};
+    std::array<base::Span, 12> places{};  ///< where they were said
     std::optional<double> last_dwell;  ///< P of the last cycle that had one, s
 };
 

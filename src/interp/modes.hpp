@@ -49,6 +49,9 @@ struct ModalState {
     bool unit_said = false;  ///< by the program
     DiameterMode diameter = DiameterMode::off;
     cl::FeedMode feed_mode = cl::FeedMode::per_minute;
+    /// Of FZ where it stays until the next F (Traits::tooth_feed_stays), in the program's unit of feed.
+    std::optional<double> tooth_feed{};
+    int tooth_feed_teeth = 0;  ///< of the tool that it was last reckoned for; 0: not known
     bool surface_speed = false;
     int speed_word = 0;        ///< 96, 97, 961 … where it was the last of its G group
     bool metric_feed = false;  ///< G710 rather than G71

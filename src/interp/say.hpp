@@ -17,6 +17,8 @@ void alarm(Saying&, std::string_view code, const base::Span& where, std::string 
 void unchecked(Saying&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
 /// As `unchecked`, once per text wherever it comes up.
 void unchecked_once(Saying&, std::string_view code, const base::Span& where, std::string text, std::string remedy = {});
+/// Something that is hardly meant so: a warning, once per code and place; the run goes on.
+void doubt(Saying&, std::string_view code, const base::Span& where, std::string text, std::string remedy);
 /// Something assumed: listed once per text.
 void assume(Saying&, const base::Span& where, std::string text, std::string remedy = {});
 

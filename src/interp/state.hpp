@@ -245,7 +245,7 @@ struct Cycling : Calling {
     CallPattern pattern;
     std::map<std::string, std::vector<CallPattern::Point>> point_tables;  ///< read so far
     /// Values of turning cycles that stay with the control (CycleDefinition::store), mm, by store and role.
-    std::map<std::pair<int, cl::CycleRole>, double> cycle_store;
+    std::map<std::pair<int, cl::CycleRole>, KeptSetting> cycle_store;
 };
 
 /// Pieces of programs as they are read in other states than that of the text (read_again.cpp).

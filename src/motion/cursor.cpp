@@ -1,5 +1,8 @@
 #include "motion/cursor.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include "cl/totals.hpp"
 
 namespace obrys::motion {
@@ -52,6 +55,7 @@ void Cursor::take_modal(const cl::Record& record) {
                    [&](const cl::CompensationBegin& begin) { s.compensation = begin; },
                    [&](const cl::CompensationEnd&) { s.compensation.reset(); },
                    [&](const cl::ToolLength& length) { s.length = length; },
+                   [](const cl::OtherSpindle&) {},  // moves are not made with it
                    [](const cl::MachinePlace&) {},
                    [](const cl::ToolSelection&) {},
                    [](const cl::Output&) {},
@@ -73,6 +77,26 @@ void Cursor::take_modal(const cl::Record& record) {
                record.step);
 }
 
+const cl::AxisEnd* find_axis(const cl::AxisEnds& axes, const std::array<char, 8>& name) {
+    const auto found =
+        std::find_if(axes.begin(), axes.end(), [&](const cl::AxisEnd& axis) { return axis.name == name; });
+    return found == axes.end() ? nullptr : &*found;
+}
+
+void Cursor::take_axes(const cl::Step& step) {
+    if (std::exchange(axes_moved_, false)) axes_from_ = axes_;
+    const auto take = [this](const cl::AxisEnd& end) {
+        axes_moved_ = true;
+        if (const cl::AxisEnd* stood = find_axis(axes_, end.name))
+            axes_[static_cast<std::size_t>(stood - axes_.data())] = end;
+        else
+            axes_.push_back(end);
+    };
+    for (const cl::AxisEnd& end : *cl::ends_of(step)) take(end);
+    if (const auto* spline = std::get_if<cl::Spline>(&step))
+        for (const cl::SplineAxis& axis : spline->axes) take({axis.name, axis.to, axis.rotary, false});
+}
+
 std::optional<Step> Cursor::take(const cl::Record& record) {
     if (!cl::is_move(record.step)) {
         take_modal(record);
@@ -80,7 +104,19 @@ std::optional<Step> Cursor::take(const cl::Record& record) {
     }
     const geom::Vec3 from = position_.here(), to = cl::position_after(from, record.step);
     position_.move_to(to);
-    return Step{record, moves_++, from, to, position_.to_stock(), cl::is_rapid(record.step), state_};
+    take_axes(record.step);
+    const geom::Vec3 axis_from = std::exchange(axis_, *cl::tool_axis_of(record.step));
+    return Step{record,
+                moves_++,
+                from,
+                to,
+                axis_from,
+                axis_,
+                axes_from_,
+                axes_,
+                position_.to_stock(),
+                cl::is_rapid(record.step),
+                state_};
 }
 
 }  // namespace obrys::motion

@@ -16,10 +16,18 @@ struct Step {
     const cl::Record& record;
     std::uint64_t index;  ///< of moves, from 0
     geom::Vec3 from, to;  ///< NaN where not known
+    /// Unit vectors along the tool, from the tip into the holder, at both ends; NaN before the first move.
+    geom::Vec3 axis_from, axis_to;
+    /// Where the additional axes stand at both ends (rotary: degrees, linear: mm), those that have been told to go
+    /// somewhere: in the order in which they were first. NaN: not known.
+    const cl::AxisEnds &axes_from, &axes_to;
     geom::Vec3 to_stock;  ///< from the frame in force to the stock's: Position
     bool rapid;
     const State& state;
 };
+
+/// One of them by its name; null: it has not been told to go anywhere.
+[[nodiscard]] const cl::AxisEnd* find_axis(const cl::AxisEnds& axes, const std::array<char, 8>& name);
 
 class Cursor {
 public:
@@ -36,10 +44,14 @@ public:
 
 private:
     void take_modal(const cl::Record& record);
+    void take_axes(const cl::Step& step);
 
     std::span<const shop::Tool> tools_;
     State state_;
     Position position_;
+    geom::Vec3 axis_{NAN, NAN, NAN};
+    cl::AxisEnds axes_from_, axes_;
+    bool axes_moved_ = false;  ///< in the last move: `axes_from_` is that of its begin
     std::uint64_t moves_ = 0;
 };
 

@@ -50,6 +50,47 @@ TEST(Cursor, MovesComeWithBothEndsAndTheirNumber) {
     EXPECT_EQ(cursor.moves(), 2U);
 }
 
+/// A user of steps follows five axes without keeping anything: both ends say how the tool stands, and where each axis.
+TEST(Cursor, MovesHaveTheToolAxisAndAdditionalAxesAtBothEnds) {
+    const cl::AxisEnd b{{'B'}, 30, true, false}, c{{'C'}, 90, true, true}, b_back{{'B'}, -10, true, false};
+    const geom::Vec3 tilted{0.6, 0, 0.8};
+    cl::Linear turns{{1, 2, 3}, tilted};
+    turns.ends = {b};
+    cl::Arc goes_on;
+    goes_on.to = {4, 2, 3};
+    goes_on.axis = {0, 0.6, 0.8};
+    goes_on.ends = {c};
+    cl::Thread back;
+    back.to = {4, 2, 9};
+    back.ends = {b_back};
+    cl::Spline last;
+    last.to = {5, 5, 5};
+    last.axes = {{{'C'}, 120, 0, 0, 0, true}};
+    Cursor cursor;
+    const cl::Record r0 = rec(cl::Linear{{0, 0, 0}}), r1 = rec(turns), r2 = rec(goes_on), r3 = rec(back),
+                     r4 = rec(last);
+    const auto start = cursor.take(r0);
+    EXPECT_TRUE(std::isnan(start->axis_from.z) && start->axes_from.empty() && start->axes_to.empty());
+    EXPECT_EQ(start->axis_to, (geom::Vec3{0, 0, 1}));
+    const auto first = cursor.take(r1);
+    EXPECT_EQ(first->axis_from, (geom::Vec3{0, 0, 1}));
+    EXPECT_EQ(first->axis_to, tilted);
+    EXPECT_TRUE(first->axes_from.empty());
+    EXPECT_EQ(first->axes_to, cl::AxisEnds{b});
+    const auto second = cursor.take(r2);
+    EXPECT_EQ(second->axis_from, tilted);
+    EXPECT_EQ(second->axes_from, cl::AxisEnds{b});
+    EXPECT_EQ(second->axes_to, (cl::AxisEnds{b, c}));
+    const auto third = cursor.take(r3);
+    EXPECT_EQ(third->axis_from, goes_on.axis);
+    EXPECT_EQ(third->axes_from, (cl::AxisEnds{b, c}));
+    EXPECT_EQ(third->axes_to, (cl::AxisEnds{b_back, c}));
+    const auto fourth = cursor.take(r4);
+    EXPECT_EQ(fourth->axes_from, (cl::AxisEnds{b_back, c}));
+    EXPECT_EQ(find_axis(fourth->axes_to, {'C'})->to, 120);
+    EXPECT_EQ(find_axis(fourth->axes_to, {'A'}), nullptr);
+}
+
 TEST(Cursor, WhatHoldsIsTheLastOfItsKind) {
     Cursor cursor;
     for (const cl::Step& s : std::vector<cl::Step>{cl::Feed{100}, cl::Feed{0.2, cl::FeedMode::per_rev},

@@ -60,6 +60,130 @@ TEST(Doors, RunsATextFromMemory) {
     EXPECT_NE(stream(image).find("linear 70 20 -2"), std::string::npos);
 }
 
+/// Of a control: how its programs select a zero, and what the stream calls it.
+struct Zeros {
+    std::string control, begin, end;
+    struct Named {
+        std::string word, key;
+        std::uint32_t number;
+    };
+    std::vector<Named> all;
+};
+
+std::vector<Zeros> zeros_of_controls() {
+    std::vector<Zeros::Named> plain;
+    for (std::uint32_t n = 54; n < 60; ++n) plain.push_back({"G" + std::to_string(n), "G" + std::to_string(n), n});
+    const auto with = [&](const Zeros::Named& more) {
+        std::vector<Zeros::Named> out(plain.begin(), plain.begin() + 4);
+        out.push_back(more);
+        return out;
+    };
+    return {{"sinumerik-840d", "G90 G17\nT1 D1\nM6\nS1000 M3\n", "M30\n", with({"G505", "G505", 505})},
+            {"fanuc", "%\nO0001\nG90 G17 G21\nT1 M6\nS1000 M3\n", "M30\n%\n", with({"G54.1 P2", "\"G54.1 P2\"", 5402})},
+            {"haas", "%\nO0001\nG90 G17 G21\nT1 M6\nS1000 M3\n", "M30\n%\n", plain},
+            {"linuxcnc", "G90 G17 G21\nT1 M6\nS1000 M3\n", "M2\n", with({"G59.2", "\"G59.2\"", 592})},
+            {"heidenhain-itnc530",
+             "0 BEGIN PGM P MM\n1 TOOL CALL 1 Z S1000\n",
+             "END PGM P MM\n",
+             {{"CYCL DEF 247 DATUM SETTING Q339=+5", "preset5", 1005},
+              {"CYCL DEF 247 DATUM SETTING Q339=+7", "preset7", 1007}}}};
+}
+
+/// The zero of every move is the last one that its program has selected, also of the first move, before which nothing
+/// in the stream could tell a wrong one: its place is that of the job, and points are the numbers of the program.
+TEST(Doors, EveryMoveCountsFromTheZeroThatItsProgramHasSelected) {
+    for (const Zeros& zeros : zeros_of_controls()) {
+        const bool klartext = zeros.control.starts_with("heidenhain");
+        std::string datum = "[datum]\n";
+        const auto place = [](std::uint32_t n) {
+            return Point{double(n % 100) * 10, double(n % 7) - 3, 200 + double(n % 11)};
+        };
+        for (const Zeros::Named& z : zeros.all) {
+            const Point p = place(z.number);
+            datum += z.key + " = {x = " + std::to_string(p[0]) + ", y = " + std::to_string(p[1]) +
+                     ", z = " + std::to_string(p[2]) + "}\n";
+        }
+        for (std::size_t first = 0; first < zeros.all.size(); ++first)
+            for (std::size_t second = 0; second < zeros.all.size(); ++second)
+                for (const bool both_before : {false, true}) {
+                    const auto move = [&](int x) {
+                        return (klartext ? "L X+" + std::to_string(x) + " Y+2 Z+30 R0 FMAX"
+                                         : "G0 X" + std::to_string(x) + ". Y2. Z30.") +
+                               "\n";
+                    };
+                    const std::string text = zeros.begin + zeros.all[first].word + "\n" + (both_before ? "" : move(1)) +
+                                             zeros.all[second].word + "\n" + move(11) + move(12) + zeros.end;
+                    SCOPED_TRACE(zeros.control + "\n" + text);
+                    Workspace workspace = Workspace::in_memory();
+                    workspace.put("P.txt", text);
+                    workspace.put("p.job.toml",
+                                  "program = \"P.txt\"\ncontrol = \"" + zeros.control + "\"\n" + tools + datum);
+                    const Image image = workspace.prepare("p.job.toml");
+                    ASSERT_TRUE(image.usable()) << image.messages().at(0).text;
+                    std::vector<Move> moves;
+                    const Ran ran = run(image, [&](const Move& m) { moves.push_back(m); });
+                    ASSERT_EQ(ran.ending, Ending::regular);
+                    ASSERT_EQ(moves.size(), both_before ? 2U : 3U);
+                    for (const Move& m : moves) {
+                        const bool begins = !both_before && m.index == 0;
+                        const std::uint32_t number = zeros.all[begins ? first : second].number;
+                        EXPECT_EQ(m.zero.number, number) << m.index;
+                        EXPECT_EQ(m.zero.origin, place(number)) << m.index;
+                        EXPECT_EQ(m.to, (Point{begins ? 1. : m.index + 1 == moves.size() ? 12. : 11., 2, 30}));
+                    }
+                }
+    }
+}
+
+/// A five-axis program as a stranger follows it: how the tool stands at both ends, and where each rotary axis.
+TEST(Doors, FiveAxesAreFollowedByMovesAlone) {
+    Workspace workspace = Workspace::in_memory();
+    workspace.put("FIVE.H", R"(0 BEGIN PGM FIVE MM
+1 TOOL CALL 1 Z S3000 F400
+2 L X+0 Y+0 Z+50 R0 FMAX M3
+3 L B+30 C+90 R0 FMAX
+4 PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY
+5 L X+10 Y+0 Z+5 F200
+6 L C-45 F100
+7 PLANE RESET STAY
+8 L Z+50 R0 FMAX M30
+9 END PGM FIVE MM
+)");
+    workspace.put("tools.toml", tools);
+    Options options;
+    options.tools = {"tools.toml"};
+    const Image image = workspace.prepare("FIVE.H", options);
+    std::vector<Move> moves;
+    run(image, [&](const Move& m) { moves.push_back(m); });
+    ASSERT_GE(moves.size(), 4U) << stream(image);
+    EXPECT_TRUE(std::isnan(moves[0].axis_from[2]));
+    EXPECT_TRUE(moves[0].axes.empty());
+    const Move& turn = moves[1];
+    ASSERT_EQ(turn.axes.size(), 2U);
+    EXPECT_EQ(turn.axes[0].name, "B");
+    EXPECT_TRUE(std::isnan(turn.axes[0].from));
+    EXPECT_EQ(turn.axes[0].to, 30);
+    EXPECT_TRUE(turn.axes[0].rotary);
+    EXPECT_EQ(turn.axes[1].name, "C");
+    EXPECT_EQ(turn.axes[1].to, 90);
+    // Every move goes on from where the one before it ended.
+    bool tilted = false, turned_back = false;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+        EXPECT_EQ(moves[i].axis_from, moves[i - 1].axis_to) << i;
+        for (const AxisWay& was : moves[i - 1].axes)
+            for (const AxisWay& now : moves[i].axes)
+                if (was.name == now.name) {
+                    EXPECT_EQ(now.from, was.to) << i;
+                    turned_back = turned_back || (now.name == "C" && now.from == 90 && now.to == -45);
+                }
+        const double length = std::hypot(moves[i].axis_to[0], moves[i].axis_to[1], moves[i].axis_to[2]);
+        EXPECT_NEAR(length, 1, 1e-9) << i;
+        tilted = tilted || std::abs(moves[i].axis_to[0] - 0.5) < 1e-9;
+    }
+    EXPECT_TRUE(tilted) << stream(image);
+    EXPECT_TRUE(turned_back) << stream(image);
+}
+
 TEST(Doors, OtherValuesAreOfOneRun) {
     Workspace workspace = Workspace::in_memory();
     const Image image = prepared(workspace);

@@ -1,5 +1,7 @@
 #include "obrys/run.hpp"
 
+#include <cmath>
+
 #include "cl/text.hpp"
 #include "motion/cursor.hpp"
 #include "obrys/shown.hpp"
@@ -26,6 +28,14 @@ Move move_of(const motion::Step& step, const base::Sources& sources) {
     move.index = step.index;
     move.from = point(step.from);
     move.to = point(step.to);
+    move.axis_from = point(step.axis_from);
+    move.axis_to = point(step.axis_to);
+    for (const cl::AxisEnd& end : step.axes_to) {
+        const cl::AxisEnd* begin = motion::find_axis(step.axes_from, end.name);
+        move.axes.push_back({std::string(cl::name_of(end.name)), begin != nullptr ? begin->to : std::nan(""), end.to,
+                             end.rotary, end.counted});
+    }
+    move.zero = {state.datum.number, point(state.datum.origin)};
     if (const auto* arc = std::get_if<cl::Arc>(&step.record.step)) {
         move.kind = MoveKind::arc;
         move.centre = point(arc->centre);

@@ -4,7 +4,7 @@
 
 namespace obrys::api {
 
-inline constexpr int version_major = 0, version_minor = 1;
+inline constexpr int version_major = 0, version_minor = 2;
 
 /// That of the library which is linked: "0.1.0".
 [[nodiscard]] const char* version();

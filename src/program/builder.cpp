@@ -1,13 +1,20 @@
 #include "program/builder.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "base/codes.hpp"
 #include "base/text.hpp"
 
 namespace obrys::program {
 
-NameId Builder::name(std::string_view any_case) { return names_.id(base::to_upper(any_case)); }
+/// Most names are short: nothing is allocated for one that is known.
+NameId Builder::name(std::string_view any_case) {
+    std::array<char, 64> upper{};
+    if (any_case.size() > upper.size()) return names_.id(base::to_upper(any_case));
+    std::transform(any_case.begin(), any_case.end(), upper.begin(), base::upper);
+    return names_.id({upper.data(), any_case.size()});
+}
 
 void Builder::statement(StatementKind kind, std::uint32_t begin) {
     Statement s;

@@ -219,6 +219,8 @@ enum class SystemVariable : std::uint8_t {
     program_name,       ///< $P_STACK, $P_PROG[n]
     channel_axis_name,  ///< $P_AXN1 … 3
     pi,                 ///< $PI
+    digital_output,     ///< $A_OUT[n]
+    analog_output,      ///< $A_OUTA[n]
     clock,              ///< $A_YEAR … $A_SECOND: when the program runs
     // FN 18: SYSREAD
     inch_program,  ///< 0 mm, 1 inch

@@ -205,8 +205,9 @@ enum class Repeated : std::uint8_t {
 struct SpindleStop {
     std::int16_t function = 0;
     bool before_motion = false;
-    bool certain = true;   ///< else machine or operator say whether it does
-    bool coolant = false;  ///< which it switches off, too
+    bool certain = true;     ///< else machine or operator say whether it does
+    bool coolant = false;    ///< which it switches off, too
+    bool does_more = false;  ///< which is the machine's own: the stream has the function, too
 };
 
 /// Letters that belong to an M function, where its block has them: "PQ".

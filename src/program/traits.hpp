@@ -114,6 +114,13 @@ struct Traits {
     std::span<const std::int16_t> own_functions{};
     /// Of those the ones that go to the machine as they stand (gears, clamps, coolant through the tool).
     std::span<const std::int16_t> passed_functions{};
+    /// A feed per tooth (FZ) holds under feed per revolution alone, and stays for the tools that follow until the next
+    /// F; else it is a feed per revolution of the tool that is in the spindle.
+    bool tooth_feed_stays = false;
+    /// M functions that exchange pallets: with a stop of the program, and with its end; 0: none.
+    std::int16_t pallet_stop = 0, pallet_end = 0;
+    /// The M function behind whose end the program may stay where it is, by the control's settings; 0: none.
+    std::int16_t end_that_stays = 0;
     std::span<const SpindleStop> spindle_stops{};
     std::span<const FunctionLetters> function_letters{};  ///< of the control's own M functions
     /// Letters that an M function of the machine builder may take; empty: none, M functions stand alone.
@@ -135,6 +142,9 @@ struct Traits {
     bool modal_call_without_motion = false;
     /// A chamfer or rounding where the next element goes straight on is none, and no fault.
     bool corner_may_be_tangential = false;
+    /// A chamfer or rounding without a feed of its own is run at the feed that is in force where it stands; else at
+    /// that of the element behind it.
+    bool corner_keeps_feed = false;
     IdleBlocks compensation_idle_blocks{};
     /// Says whether outer corners are arcs about the corner, as they are run here, or go out to the crossing of the
     /// parallels; empty: they are arcs, or as the program says.
@@ -234,6 +244,8 @@ struct Traits {
     /// rest, a cycle without its dwell, a probe that has no way to go, a path without feed.
     bool refuses_unready = false;
     PitchAlong pitch_along = PitchAlong::axis_of_word;
+    /// Q in a thread's block: degrees of the spindle at which it begins.
+    bool thread_begins_at_q = false;
     /// G80 leaves no motion in force, so that axis words alone are an error; else rapid.
     bool cancel_leaves_no_motion = false;
     /// G98: a hole ends at the level where its series began or at R, whichever is higher; else at that level also where

@@ -127,9 +127,10 @@ std::string ranges(const std::vector<std::uint32_t>& lines) {
 /// What breaks the machine or the tool first, then what spoils the part, then what only has to be done again.
 std::size_t rank_of(std::string_view code) {
     namespace codes = base::codes;
-    constexpr std::array order{
-        codes::rapid_in_stock, codes::gouge,         codes::axis_limit,   codes::spindle_stopped, codes::tool_missing,
-        codes::spindle_limit,  codes::surface_speed, codes::feed_missing, codes::feed_limit,      codes::allowance_cut};
+    constexpr std::array order{codes::clamp_collision, codes::rapid_in_stock, codes::holder_in_stock,
+                               codes::gouge,           codes::axis_limit,     codes::spindle_stopped,
+                               codes::tool_missing,    codes::spindle_limit,  codes::surface_speed,
+                               codes::feed_missing,    codes::feed_limit,     codes::allowance_cut};
     if (code == codes::rest_material) return order.size() + 1;  // after everything else
     return static_cast<std::size_t>(std::find(order.begin(), order.end(), code) - order.begin());
 }

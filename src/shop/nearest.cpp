@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/edit_distance.hpp"
 #include "base/text.hpp"
 
 namespace obrys::shop {
@@ -13,7 +14,7 @@ std::string fewest_edits(const std::string& wanted, const std::vector<std::strin
     std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
     std::string found;
     for (const std::string& w : words) {
-        const std::size_t d = edit_distance(wanted, base::to_upper(w));
+        const std::size_t d = base::edit_distance(wanted, base::to_upper(w));
         if (d < best) {
             best = d;
             found = w;
@@ -39,19 +40,6 @@ std::string same_begin(const std::string& wanted, const std::vector<std::string>
 }
 
 }  // namespace
-
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::vector<std::size_t>> d(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
-    for (std::size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-    for (std::size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-    for (std::size_t i = 1; i <= a.size(); ++i)
-        for (std::size_t j = 1; j <= b.size(); ++j) {
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0U : 1U)});
-            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
-                d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-        }
-    return d[a.size()][b.size()];
-}
 
 std::string nearest(std::string_view word, const std::vector<std::string>& words) {
     if (word.size() > 64) return {};

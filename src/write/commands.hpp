@@ -50,6 +50,7 @@ enum class Command : std::uint8_t {
     surface_ccw,
     surface_stop,
     spindle_held,
+    spindle_other,  ///< what another spindle is told
     tool_change,
     tool_next,      ///< the tool that will be wanted
     tool_data,      ///< what the program itself says a tool is
@@ -77,8 +78,11 @@ enum class Command : std::uint8_t {
     dwell_revolutions,
     stop_program,
     stop_optional,
+    stop_pallets,  ///< with which pallets are exchanged
     stop_end,
-    stop_again,  ///< the program begins anew, without end
+    stop_end_pallets,
+    stop_end_stays,  ///< behind which the program may stay where it is
+    stop_again,      ///< the program begins anew, without end
     comment,
     message,
     terminal,
@@ -89,6 +93,7 @@ enum class Command : std::uint8_t {
     tolerance_set,
     tolerance_reset,
     function,
+    function_extended,  ///< whose address has a number of its own (H2=5)
     output_on,
     output_off,
     output_value,

@@ -25,7 +25,8 @@ struct Note {
     std::uint64_t line = 0;  ///< of the text, counted from 1: the one that says it, or follows
     std::string file{};      ///< that holds the line; empty: that of the program
     std::string_view instead = "is written by its moves";  ///< of what is expanded
-    std::string_view remedy{};            ///< it does the same by something that is taken for granted: how to say that
+    std::string_view remedy{};  ///< it does the same by something that is taken for granted: how to say that
+    bool may_be_lines = false;  ///< a curve that the post has no words for: its chords may stand there instead
     std::optional<base::Span> in_post{};  ///< where a function of the post has failed
 };
 

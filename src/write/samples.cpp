@@ -221,6 +221,8 @@ void Maker::events() {
     add("programmed stop", {cl::Stop{cl::StopKind::program}, next()});
     add("optional stop", {cl::Stop{cl::StopKind::optional}, next()});
     add("end of the program", {cl::Stop{cl::StopKind::end}});
+    add("end of the program, behind which it stays", {cl::Stop{.kind = cl::StopKind::end, .stays = true}});
+    add("what another spindle is told", {cl::OtherSpindle{.number = 2, .speed = 800}});
     add("comment", {cl::Comment{"Roughing (1/2) \"A\"", false, false}});
     add("message for the operator", {cl::Comment{"Turn the part", true, false}});
     add("line for the terminal", {cl::Comment{"Turn the part", true, true}});

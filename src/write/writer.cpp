@@ -189,7 +189,7 @@ void Writer::note_height(const cl::Linear* line) {
 
 /// The way up behind a cycle, of which is not known yet whether it leads to another one.
 bool Writer::rise_waits() const {
-    if (!post_.rise_before_cycle_end || !in_cycles_ || held_.empty()) return false;
+    if (!post_.rise_before_cycle_end || !series_.open || held_.empty()) return false;
     const auto* line = std::get_if<cl::Linear>(&held_.front().record.step);
     const geom::Vec3& from = held_.front().from;
     return line != nullptr && line->to.x == from.x && line->to.y == from.y && line->to.z > from.z;
@@ -204,9 +204,9 @@ void Writer::write_first_held() {
 }
 
 void Writer::write_rise() {
-    in_cycles_ = false;  // it stands before their end
+    series_.open = false;  // it stands before their end
     write_first_held();
-    in_cycles_ = true;
+    series_.open = true;
     end_cycles();
 }
 

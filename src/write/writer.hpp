@@ -96,8 +96,7 @@ private:
     void take_programmed(const cl::Programmed& p);
     [[nodiscard]] bool moves_are_contour() const;
     [[nodiscard]] bool by_moves_of_corner(const cl::Programmed& p);
-    // What is no move. Every kind is named: a new one stops this from compiling until somebody has said how it is
-    // written.
+    // What is no move. A kind that is not named stops this from compiling until somebody says how it is written.
     void event(const cl::ToolChange& change);
     void event(const cl::ToolSelection& next);
     void event(const cl::ToolData& data);
@@ -106,6 +105,7 @@ private:
     void event(const cl::CompensationEnd&);
     void event(const cl::Dwell& dwell);
     void event(const cl::Stop& stop);
+    void event(const cl::OtherSpindle& other);
     void event(const cl::Comment& comment);
     [[nodiscard]] std::vector<std::string> lines_about_cycles() const;
     void event(const cl::Output& signal);
@@ -310,29 +310,21 @@ private:
     std::optional<geom::Vec3> taken_up_;   ///< normal of the tilted plane to which the text has turned the rotary axes
     std::optional<PlaneTurn> plane_turn_;  ///< while it is being written
     std::optional<cl::Frame> frames_refused_;  ///< that the post cannot say
-    std::string defined_;                      ///< cycle in force, as printed
-    std::string called_;                       ///< the last cycle without its place
-    bool in_cycles_ = false;
-    std::set<std::string> series_says_;  ///< letters of words that the series keeps
-    double series_level_ = 0;            ///< Z, as programmed, where the series of cycles in force has begun
+    CycleSeries series_;
+    TapState tap_;
 
     /// X, Y and Z as moves without a word for them leave them: posts of lathes have no Y.
     std::array<double, 3> stands_{NAN, 0, NAN};
-    geom::Vec3 pointed_{0, 0, 1};          ///< where the tool has pointed in the last straight move
-    geom::Vec3 direction_noted_;           ///< of which has been said that it is lost
-    std::set<Command> without_feed_;       ///< of which has been said that they have no place for it
-    cl::AxisEnds axes_;                    ///< that the next move takes along
-    std::vector<Held> held_;               ///< rapids of one block, which a cycle may make by itself
-    int folding_ = 0;                      ///< brackets that are open since one was written as a cycle or a lead
-    double turning_speed_ = 0;             ///< 1/min, of the spindle when it turned last
-    bool height_said_ = false;             ///< a block has said Z since the tool was changed
-    bool rises_ = false;                   ///< the cycle that was written ends below where the tool stands behind it
-    std::string tap_stops_;                ///< the tap that was written stops the spindle by itself: the word for that
-    bool spindle_ready_ = false;           ///< for the tap that is being written
-    bool tap_returns_ = false;             ///< the next tapping move is the way back of the last one
-    geom::Vec3 tap_from_;                  ///< where that one began
-    std::optional<Command> compensation_;  ///< that the next element of the contour has to say
-    bool is_compensating_ = false;         ///< the text has switched it on
+    geom::Vec3 pointed_{0, 0, 1};             ///< where the tool has pointed in the last straight move
+    geom::Vec3 direction_noted_;              ///< of which has been said that it is lost
+    std::set<Command> without_feed_;          ///< of which has been said that they have no place for it
+    cl::AxisEnds axes_;                       ///< that the next move takes along
+    std::vector<Held> held_;                  ///< rapids of one block, which a cycle may make by itself
+    int folding_ = 0;                         ///< brackets that are open since one was written as a cycle or a lead
+    double turning_speed_ = 0;                ///< 1/min, of the spindle when it turned last
+    bool height_said_ = false;                ///< a block has said Z since the tool was changed
+    std::optional<Command> compensation_;     ///< that the next element of the contour has to say
+    bool is_compensating_ = false;            ///< the text has switched it on
     std::optional<Source> compensation_end_;  ///< what ended the last contour
     std::optional<Lead> lead_;                ///< the way onto a contour that is being read
     bool corner_by_moves_ = false;            ///< of the last element

@@ -39,6 +39,14 @@ double counted(double value, const NumberStyle& style, double increment) {
     return std::round(as_written(value, style) * style.factor / increment);
 }
 
+/// `free`: neither compensation nor axes that move along keep its chords from standing there instead.
+Note lost_curve(std::string what, bool free) {
+    Note lost{Fate::lost, std::move(what), {}, 0, 0};
+    lost.may_be_lines = free;
+    if (free) lost.remedy = "have it written as straight lines within a tolerance, e.g. --chord 0.005";
+    return lost;
+}
+
 }  // namespace
 
 /// The control takes both ends for one place, or the centre for its start: it would run a full circle, or none.
@@ -138,7 +146,8 @@ void Writer::write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, cons
     const bool sayable = flat && std::abs(arc.sweep) < most * geom::full_turn && compensation_ == std::nullopt &&
                          !cursor_.state().compensation && geom::is_finite(arc.centre) && geom::is_finite(u);
     if (!post_.has(Command::arc_in_space) || !sayable)
-        return note(Fate::lost, "an arc in a plane that is none of the frame's");
+        return note_at(lost_curve("an arc in a plane that is none of the frame's",
+                                  !cursor_.state().compensation && !arc.rapid && arc.ends.empty()));
     const geom::Vec3 to = frames_.programmed(arc.to);
     const geom::Vec3 via = frames_.programmed(arc.centre + std::cos(arc.sweep / 2) * u + std::sin(arc.sweep / 2) * v);
     values_.clear();
@@ -158,8 +167,9 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     const bool rises = std::abs(geom::dot(arc.to - from, arc.normal)) > 1e-9;
     const bool by_centre = post_.plane_by_centre && !rises && !is_compensating_;
     if (outside_xy && !by_centre && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
-        return note(Fate::lost, std::string(rises ? "a helix" : "an arc") +
-                                    " outside of the plane of X and Y: the post has no words for its plane");
+        return note_at(lost_curve(std::string(rises ? "a helix" : "an arc") +
+                                      " outside of the plane of X and Y: the post has no words for its plane",
+                                  !cursor_.state().compensation && !arc.rapid && arc.ends.empty()));
     if (is_lost_in_increments(arc, start, to, centre)) return print_straight(to, arc.rapid, corner, cl::Seek::nothing);
     select_plane(normal);
     const double along = normal.x + normal.y + normal.z;  // but for rounding one of them
@@ -254,8 +264,9 @@ void Writer::write_spline(const cl::Spline& spline) {
     if (!anywhere && in_plane == planes_of_splines.end()) {
         const bool planes = std::any_of(planes_of_splines.begin(), planes_of_splines.end(),
                                         [&](const PlaneOfSpline& p) { return post_.has(p.command); });
-        return note(Fate::lost, planes ? "a spline that leaves the planes which the post has words for"
-                                       : "a spline: the post has no motion.spline");
+        return note_at(lost_curve(planes ? "a spline that leaves the planes which the post has words for"
+                                         : "a spline: the post has no motion.spline",
+                                  spline.axes.empty() && spline.ends.empty()));
     }
     if (!anywhere) select_plane(in_plane->normal);
     values_.clear();

@@ -111,7 +111,7 @@ void Writer::set_values(const HoleWay& way, const geom::Vec3& at) {
 /// end counts: where it begins is not known behind a change of the tool's length.
 double Writer::level_of_series(bool over) const {
     const bool ends_series = over && held_.size() > 1 && !post_.raises_to_retract_plane;
-    if (in_cycles_ && !rise_waits() && !ends_series) return series_level_;
+    if (series_.open && !rise_waits() && !ends_series) return series_.level;
     if (!height_said_) return NAN;
     const auto* way = over || rise_waits() ? std::get_if<cl::Linear>(&held_.front().record.step) : nullptr;
     return frames_.programmed(way != nullptr ? way->to : cursor_.position().here()).z;
@@ -143,8 +143,7 @@ std::set<std::string> Writer::kept_words(const CycleForm& form) const {
 
 /// A word of the series (the dwell P) that this cycle does not say would hold for it, too.
 void Writer::end_series_that_says_more(const CycleForm& form) {
-    const std::set<std::string> own = kept_words(form);
-    if (!std::includes(own.begin(), own.end(), series_says_.begin(), series_says_.end())) end_cycles();
+    if (!series_.takes(kept_words(form))) end_cycles();
 }
 
 /// Writes the bracket as a cycle of the control, its own or one that makes the same hole; false, and nothing is
@@ -162,8 +161,8 @@ bool Writer::fold(const cl::CycleBegin& begin) {
 bool Writer::fold_below(const cl::CycleBegin& begin, HoleWay way) {
     const std::size_t erased =
         std::erase_if(way.cycle.values, [](const auto& v) { return v.role == cl::CycleRole::return_level; });
-    rises_ = erased != 0 && fold_as(begin, way, true);
-    return rises_;
+    series_.rises = erased != 0 && fold_as(begin, way, true);
+    return series_.rises;
 }
 
 /// A block of a cycle may turn the spindle on (G84.1 X Y Z M3): the sense, 0 where it does not.
@@ -191,9 +190,7 @@ bool Writer::is_again(const Template& call, const Parts& parts) {
     elsewhere.drop(Value::y);
     std::string all;
     for (const Block& block : call) all += printer_.whole(block, elsewhere, parts).value_or("") + "\n";
-    const bool same = in_cycles_ && all == called_;
-    called_ = std::move(all);
-    return same;
+    return series_.is_again(std::move(all));
 }
 
 /// Where no block has said a height of this tool, the program's cycle comes to its plane from wherever that is; a word
@@ -251,7 +248,7 @@ bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     const double level = level_of_series(goes_over());
     const auto* over_hole = goes_over() ? std::get_if<cl::Linear>(&held_.back().record.step) : nullptr;
     const auto plane = height(cycle, cl::CycleRole::retract_plane);
-    const bool comes = may_come && plane && !height_said_ && !in_cycles_ && post_.has(Command::rapid);
+    const bool comes = may_come && plane && !height_said_ && !series_.open && post_.has(Command::rapid);
     const geom::Vec3 before = over_hole != nullptr ? over_hole->to : cursor_.position().here();
     const double stands = comes ? *plane : frames_.programmed(before).z;
     if (!gets_there(*form, cycle, level, stands)) return false;
@@ -277,9 +274,9 @@ bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     for (const Block& block : form->define) defined += printer_.whole(block, values_).value_or("") + "\n";
     begin_cycles(defined);
     set_values(way, at);  // the begin of a series has values of its own
-    if (defined != defined_ && printer_.print(form->define, values_) == Printed::failed) return false;
-    defined_ = defined;
-    series_says_.merge(kept_words(*form));
+    if (defined != series_.defined && printer_.print(form->define, values_) == Printed::failed) return false;
+    series_.defined = defined;
+    series_.says.merge(kept_words(*form));
     const std::uint64_t line = layout_.next();
     Parts parts = parts_of(false, nullptr);
     if (way.feed) parts.feed = &post_[Command::feed_per_minute], values_.set(Value::feed, *way.feed);
@@ -288,11 +285,11 @@ bool Writer::fold_as(const cl::CycleBegin& begin, HoleWay way, bool may_come) {
     if (form == &said) printer_.forget_words_of(said.call);
     note(Fate::mapped, name_of_cycle(*begin.cycle), line);
     if (folded_) folded_({cycle.kind, form == &said ? nullptr : form, cycles_taken_ - 1});
-    in_cycles_ = post_.has(Command::cycle_end);
-    series_level_ = level;
+    series_.open = post_.has(Command::cycle_end);
+    series_.level = level;
     if (const int turns = spindle_word(form->call); turns != 0) spindle_.direction = turns > 0 ? 1 : -1;
-    tap_stops_ = form->stops_spindle;
-    if (!tap_stops_.empty()) stop_spindle(tap_stops_);
+    tap_.stops = form->stops_spindle;
+    if (!tap_.stops.empty()) stop_spindle(tap_.stops);
     return true;
 }
 
@@ -318,6 +315,10 @@ void Writer::take_cycle(const cl::Record& record, const cl::CycleBegin& begin) {
     }
     flush_held();
     note_held_aside(*begin.cycle);
+    if (height(*begin.cycle, cl::CycleRole::rpm_factor).value_or(1) != 1 && !post_.has(Command::tap))
+        note(Fate::lost, name_of_cycle(*begin.cycle) +
+                             ": its tap goes back at another speed than it goes in, and the "
+                             "post has no words for that");
     // Else its moves say what is lost.
     if (!is_lone_tap(*begin.cycle)) note(Fate::expanded, name_of_cycle(*begin.cycle));
 }
@@ -329,7 +330,7 @@ void Writer::end_fold() {
     printer_.forget_coordinates();
     const geom::Vec3 at = frames_.programmed(cursor_.position().here());
     height_said_ = height_said_ || std::isfinite(at.z);
-    if (std::exchange(rises_, false)) return write_line(cursor_.position().here(), true);
+    if (std::exchange(series_.rises, false)) return write_line(cursor_.position().here(), true);
     if (!cycle || !post_.place_known_behind_cycle || !geom::is_finite(at)) return;
     values_.clear();
     values_.set(Value::x, at.x);

@@ -44,7 +44,9 @@ void Writer::event(const cl::Stop& stop) {
         stop_waits_ = *now_;
         return;
     }
-    end_program(Command::stop_end, "a stop");
+    const bool stays = stop.stays && post_.has(Command::stop_end_stays);
+    const bool pallets = stop.pallets && post_.has(Command::stop_end_pallets);
+    end_program(stays ? Command::stop_end_stays : pallets ? Command::stop_end_pallets : Command::stop_end, "a stop");
 }
 
 void Writer::end_program(Command command, std::string_view what) {
@@ -82,8 +84,13 @@ void Writer::write_stop() {
     const cl::Record* now = std::exchange(now_, &record);
     write_all();
     values_.clear();
-    const bool optional = std::get<cl::Stop>(record.step).kind == cl::StopKind::optional;
-    print(optional ? Command::stop_optional : Command::stop_program, "a stop");
+    const auto& stop = std::get<cl::Stop>(record.step);
+    const bool pallets = stop.pallets && post_.has(Command::stop_pallets);
+    if (stop.pallets && !pallets) note(Fate::lost, "the exchange of pallets at a stop");
+    print(stop.kind == cl::StopKind::optional ? Command::stop_optional
+          : pallets                           ? Command::stop_pallets
+                                              : Command::stop_program,
+          "a stop");
     if (!post_.stop_stops_spindle.empty() && (spindle_.direction != 0 || !(coolant_ == cl::Coolant{}))) {
         Note stands{
             Fate::expanded, "a stop while spindle or coolant is on, which this control stops with it,", {}, 0, 0};
@@ -93,6 +100,22 @@ void Writer::write_stop() {
     stop_spindle(post_.stop_stops_spindle);
     if (!post_.stop_stops_spindle.empty()) coolant_ = {};  // what stops the one stops the other
     now_ = now;
+}
+
+/// Nothing that moves here is driven by it, but the machine does it.
+void Writer::event(const cl::OtherSpindle& other) {
+    write_all();
+    values_.clear();
+    values_.set(Value::number, other.number);
+    if (other.speed) values_.set(Value::speed, *other.speed);
+    if (other.limit) values_.set(Value::limit, *other.limit);
+    if (other.held && !std::isnan(*other.held)) values_.set(Value::held, *other.held);
+    constexpr std::array senses{4.0, 5.0, 3.0};
+    constexpr double oriented = 19;
+    if (other.direction) values_.set(Value::value, senses[static_cast<std::size_t>(*other.direction + 1)]);
+    if (other.held && std::isnan(*other.held)) values_.set(Value::value, oriented);
+    if (other.function != 0) values_.set(Value::value, static_cast<double>(other.function));
+    print(Command::spindle_other, "what spindle " + std::to_string(other.number) + " is told");
 }
 
 void Writer::event(const cl::Override& allowed) {
@@ -111,6 +134,11 @@ void Writer::event(const cl::Auxiliary& aux) {
     values_.set(Text::letter, std::string(1, aux.letter));
     values_.set(Value::number, static_cast<double>(aux.number));
     const std::string what = "function " + std::string(1, aux.letter) + std::to_string(aux.number);
+    if (aux.extension != 0) {
+        values_.set(Value::edge, aux.extension);
+        return static_cast<void>(
+            print(Command::function_extended, what + " of address extension " + std::to_string(aux.extension)));
+    }
     const std::string& letters = post_.function_letters;
     if (!letters.empty() && letters.find(aux.letter) == std::string::npos)
         return note(Fate::lost, what + ": the control has no functions of this letter");

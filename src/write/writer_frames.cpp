@@ -209,6 +209,8 @@ std::string why_not_placed(const cl::MachinePlace& place, Command command, const
                                   : ", a reference point of which no home is given in the machine file,";
     if (is_home && place.number == 1 && post.has(Command::machine_retract))
         return ", a reference point beside that of Z: the post has no " + std::string(name_of(Command::machine_home));
+    if (!is_home && post.has(Command::machine_retract) && !post.has(command))
+        return ": the post has a word for the reference point of Z alone";
     return "";
 }
 

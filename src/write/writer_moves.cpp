@@ -222,7 +222,14 @@ void Writer::note_direction(const geom::Vec3& axis) {
     const bool along_z = !(std::hypot(d.x, d.y) > noise * std::abs(d.z)) || hooks_ != nullptr;
     if (along_z || !axes_.empty() || axis == direction_noted_) return;
     direction_noted_ = axis;
-    note(Fate::lost, "the tool's direction in a tilted plane");
+    Note lost{Fate::lost,
+              "a tool that stands aslant to the plane in force: the program says its direction alone, and "
+              "which rotary axes turn to it goes with the machine",
+              {},
+              0,
+              0};
+    lost.remedy = "have the rotary axes in the program, by their angles";
+    note_at(std::move(lost));
 }
 
 namespace {
@@ -260,10 +267,10 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     // The spindle of a tap reverses by itself.
     const auto* thread = std::get_if<cl::Thread>(&step);
     const bool taps = thread != nullptr && thread->rigid_tap;
-    if (taps && !tap_returns_) ready_spindle(*thread);
+    if (taps && !tap_.returns) ready_spindle(*thread);
     const bool stands = line != nullptr && std::exchange(straight_alone_, false) && axes_.empty();
-    if (!stands && (!taps || !tap_returns_)) write_state();
-    spindle_ready_ = false;
+    if (!stands && (!taps || !tap_.returns)) write_state();
+    tap_.spindle_ready = false;
     coolant_may_wait_ = false;
     const bool nowhere_known = !with_plane && std::exchange(turned_by_control_, false);
     printer_.stand_at(nowhere_known ? geom::Vec3{NAN, NAN, NAN} : frames_.programmed(from));

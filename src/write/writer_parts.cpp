@@ -49,7 +49,7 @@ void Writer::open_part(const cl::Record& record, const cl::PartBegin& part) {
     if (layout_.calls() && open.whole) {
         write_state();
         end_cycles();
-        defined_.clear();
+        series_.defined.clear();
         printer_.forget_modes();
         feed_mode_.reset();
         printer_.keep_standing(true);

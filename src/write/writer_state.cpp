@@ -13,7 +13,8 @@ void Writer::write_state() {
     write_length();
     write_frame();
     await_coolant();
-    if (!tap_returns_ && !spindle_ready_) write_spindle(cursor_.state().spindle);  // else the word of the tap does it
+    if (!tap_.returns && !tap_.spindle_ready)
+        write_spindle(cursor_.state().spindle);  // else the word of the tap does it
     if (!coolant_may_wait_) write_coolant();
     write_tolerance();
     write_path();
@@ -37,7 +38,7 @@ void Writer::stop_spindle(const std::string& word) {
 
 /// The spindle is not to be turned on by a word of its own within a series of taps.
 void Writer::end_tap() {
-    if (std::exchange(tap_stops_, {}).empty()) return;
+    if (std::exchange(tap_.stops, {}).empty()) return;
     end_cycles();
 }
 
@@ -113,8 +114,12 @@ void Writer::write_datum() {
         return note(Fate::mapped, "zero " + std::to_string(datum.number), line);
     }
     // One zero alone may be the one that is in force on the control; of several, the others are lost.
-    if (datum.number != none_selected)
-        note(first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number));
+    if (datum.number == none_selected) return;
+    Note zero{first ? Fate::expanded : Fate::lost, "zero " + std::to_string(datum.number), {}, 0, 0};
+    zero.instead = "is taken to be the one that is active on the control when the program begins";
+    if (!first) zero.what += ": the post has no word for it, and another zero is in force before";
+    if (!first) zero.remedy = "give its number a word in a post of your own ([[datum]]: from, to, less, text)";
+    note_at(std::move(zero));
 }
 
 /// Where S is a whole number, and the program has another one.
@@ -256,15 +261,13 @@ void Writer::write_path() {
 /// A series of cycles whose parameters hold from its begin.
 void Writer::begin_cycles(const std::string& defined) {
     if (!post_.has(Command::cycle_begin)) return;
-    if (in_cycles_ && defined != defined_) end_cycles();
-    if (!in_cycles_) static_cast<void>(printer_.print(post_[Command::cycle_begin], Values{}));
+    if (series_.open && defined != series_.defined) end_cycles();
+    if (!series_.open) static_cast<void>(printer_.print(post_[Command::cycle_begin], Values{}));
 }
 
 void Writer::end_cycles() {
-    if (!in_cycles_) return;
-    in_cycles_ = false;
-    defined_.clear();
-    series_says_.clear();
+    if (!series_.open) return;
+    series_.end();
     values_.clear();
     static_cast<void>(put(Command::cycle_end, {}, "the end of cycles"));
 }

@@ -15,15 +15,13 @@ constexpr double way_back_noise = 1e-6;  ///< mm: a way back ends where it began
 
 /// A word of taps that says the way back leads to where they began.
 void Writer::note_tap_back(const geom::Vec3& to) {
-    if (post_.has(Command::tap) && !(geom::distance(to, tap_from_) <= way_back_noise))
+    if (post_.has(Command::tap) && !(geom::distance(to, tap_.from) <= way_back_noise))
         note(Fate::lost, "rigid tapping that goes back before it is done: the post has no motion.tap-back");
 }
 
 void Writer::write_thread(const cl::Thread& thread, const geom::Vec3& from) {
-    const bool back = thread.rigid_tap && std::exchange(tap_returns_, false);
+    const bool back = tap_.is_way_back(thread.rigid_tap, from);
     if (back && !post_.has(Command::tap_back)) return note_tap_back(thread.to);  // the word of the tap says it, too
-    tap_returns_ = thread.rigid_tap && !back;
-    tap_from_ = from;
     end_cycles();
     const geom::Vec3 to = frames_.programmed(thread.to), start = frames_.programmed(from);
     values_.clear();
@@ -76,12 +74,12 @@ void Writer::set_tap() {
 void Writer::ready_spindle(const cl::Thread& tap) {
     cl::Spindle now = cursor_.state().spindle;
     if (!(now.speed > 0) || !post_.has(Command::tap)) return;
-    spindle_ready_ = says(post_[Command::tap], index_of(Value::held));
-    if (spindle_ready_ || now.direction != 0 || !(std::abs(tap.pitch) > 0)) return;
+    tap_.spindle_ready = says(post_[Command::tap], index_of(Value::held));
+    if (tap_.spindle_ready || now.direction != 0 || !(std::abs(tap.pitch) > 0)) return;
     now.direction = tap.pitch > 0 ? 1 : -1;
     now.held.reset();
     write_spindle(now);
-    spindle_ready_ = true;
+    tap_.spindle_ready = true;
 }
 
 /// Words of taps are said anew for each of them. A spindle that was held before it does not turn behind it by itself.

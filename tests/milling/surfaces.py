@@ -2,7 +2,7 @@
 """Random programs of all tools, in three axes and swivelled, lines, arcs and helices: the surface that obrys writes as STL against
 the exact one, both ways, by exact/ (a program of its own that shares nothing with src/).
 
-usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--plain] [--cases S.N,S.N]
+usage: surfaces.py OBRYS EXACT [--count 60] [--first 0] [--seed 1] [--tolerance 0.01] [--times 1] [--plain | --grooves] [--cases S.N,S.N]
                    [--keep FOLDER]
 --times: how many tolerances count as beyond. Each complaint names its number; --first NUMBER --count 1 --keep FOLDER makes it again.
 """
@@ -57,6 +57,25 @@ def plain(random):
         program.line(spot())
     program.end()
     return program, ((0.0, 0.0, -12.0), (SIZE, SIZE, 0.0))
+
+
+def grooves(random):
+    """Sharp points alone, shallow, long, across each other: bottoms of grooves, their ends and crossings."""
+    setting = Setting.any(random, random.random() < 0.35)
+    if not setting.swivels:
+        setting = Setting()
+    program = Program(setting)
+    h = SIZE / 2 if setting.swivels else 0.0
+    stock = ((0.0, 0.0, -12.0), (SIZE, SIZE, 0.0)) if not setting.swivels else ((-h, -h, -h), (h, h, h))
+    for _ in range(random.choice([1, 1, 2])):
+        program.tool(tools.cone(random.choice(["chamfer", "countersink"]), random.choice([4.0, 6.0, 10.0]),
+                                random.choice([15.0, 20.0, 20.0, 24.0, 30.0, 40.0])))
+        low = h - random.choice([random.uniform(0.02, 0.3), random.uniform(0.3, 3)])
+        program.rapid(tuple(round(random.uniform(2, SIZE - 2) - h, 3) for _ in range(2)) + (round(random.uniform(low, h), 4),))
+        for _ in range(random.randint(1, 4)):
+            (swept_arc if random.random() < 0.3 else swept_line)(random, program, program.at, low)
+    program.end()
+    return program, stock
 
 
 def made(random):
@@ -114,6 +133,7 @@ def main():
     parser.add_argument("--each", type=int, default=60)
     parser.add_argument("--most", type=int, default=60000)
     parser.add_argument("--plain", action="store_true", help="a few straight moves of round tools")
+    parser.add_argument("--grooves", action="store_true", help="shallow moves of sharp points")
     parser.add_argument("--cases", help="these instead: seed.number,seed.number,...")
     parser.add_argument("--keep")
     jobs.add_bound(parser)
@@ -124,7 +144,7 @@ def main():
         cases = options.cases.split(",")
     for case in cases:
         number = int(case.rsplit(".", 1)[1])
-        program, stock = (plain if options.plain else made)(randoms.Random(case))
+        program, stock = (plain if options.plain else grooves if options.grooves else made)(randoms.Random(case))
         with jobs.folder_of(options.keep) as folder:
             found = measured(options, program, stock, folder, number)
         if isinstance(found, str):

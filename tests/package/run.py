@@ -52,6 +52,10 @@ def use_doors(prefix, test, compiler, scratch):
     said = run(build / "groove_variants", shared / "groove")
     print(said)
     expect("R11=2 mm: clean, 841 moves, 0 findings" in said, "the example of the library checks the groove")
+    turned = run(build / "five_axis", shared / "library/SWIVEL.H")
+    print(turned)
+    expect("zero 1001 tip 11.160 0.000 -0.670 tool 0.500 0.000 0.866" in turned, "another one follows five axes")
+    expect("B ? -> 30.000 deg" in turned and "C 0.000 -> -45.000 deg, counted" in turned, "with the rotary axes at both ends")
     expect("R11=1 mm: clean" in said and "R11=4 mm: " in said, "and runs it with other values")
 
 

@@ -85,7 +85,7 @@ def compared(obrys, case, told, out, err, times=1):
 def is_told_stop(said, err):
     """A stop that stops spindle or coolant by itself, with both told again behind it: that is no silent difference."""
     done = {d["aspect"] for d in said["differences"] if d["is_done"]}
-    return "a stop while spindle or coolant is on" in err and done <= {"spindle", "coolant"} and said["equal"]["stock"]
+    return "a stop while spindle or coolant is on" in err and done <= {"spindle", "coolant"} and said["equal"]["stock"] is not False
 
 
 def translated(obrys, case, target, folder):

@@ -243,6 +243,21 @@ const others = {
     assert.equal(await page.locator(".finding.on").count(), 1);
     await page.close();
   },
+  async "the page opens on the worst finding, and keys lead on"() {
+    const { page } = await open(file), active = () => page.locator(".finding.on b").first().textContent();
+    assert.equal(await active(), "1.");
+    const marks = await page.locator("#overlay .mark").count();
+    assert(marks >= 3, marks + " marks");
+    const box = await page.locator("#overlay .mark.on").boundingBox(), view = await page.locator("#view").boundingBox();
+    assert(box.x >= view.x && box.y >= view.y && box.x + box.width <= view.x + view.width && box.y + box.height <= view.y + view.height, JSON.stringify(box));
+    await shot(page, "worst");
+    for (const [key, number] of [["n", "2."], ["n", "3."], ["n", "1."], ["p", "3."], ["p", "2."]]) {
+      await page.keyboard.press(key);
+      assert.equal(await active(), number);
+      assert.equal(await page.locator("#overlay .mark.on").count(), 1);
+    }
+    await page.close();
+  },
   async "verdict, findings and program can be read where nothing can be drawn"() {
     const blind = await launch("--disable-3d-apis");
     try {

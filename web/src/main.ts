@@ -74,6 +74,8 @@ class Report {
     document.addEventListener("keydown", event => {
       const target = event.target as Element;
       if (event.key === " " && !target.closest("button,select,input,.finding,a")) { event.preventDefault(); this.slider.toggle(); }
+      const plain = !event.ctrlKey && !event.metaKey && !event.altKey && !target.closest("select,input,textarea");
+      if (plain && (event.key === "n" || event.key === "p")) { event.preventDefault(); this.step(event.key === "n" ? 1 : -1); }
     });
   }
 
@@ -83,7 +85,21 @@ class Report {
     const [, kind, number] = location.hash.match(/^#(finding|move)-(\d+)$/) ?? [];
     const finding = this.doc.findings.find(f => f.no === Number(number));
     if (kind === "finding" && finding) this.pickFinding(finding);
+    else if (kind !== "move" && this.doc.findings.length) this.point(this.doc.findings[0]);
     if (kind === "move" && this.run.count) this.pickMove(indexOf(this.run, Number(number)));
+  }
+
+  /** The whole part stays in view: the mark says where the worst finding is. */
+  private point(finding: Finding) {
+    this.overlay.active = finding;
+    this.findings.choose(finding);
+    if (finding.where) this.texts.light(finding.where.f, finding.where.l);
+    this.overlay.draw();
+  }
+  /** To the finding after the chosen one or before it, round and round. */
+  private step(by: number) {
+    const all = this.doc.findings, at = this.overlay.active ? all.indexOf(this.overlay.active) : by > 0 ? -1 : 0;
+    if (all.length) this.pickFinding(all[(at + by + all.length) % all.length]);
   }
 
   /** The move under way, or the one that is just done. */
@@ -172,6 +188,12 @@ class Report {
   }
 }
 
+/** Where a finding is shown: its own place, or the end of its worst move. */
+function placeOf(run: Run, finding: Finding): Vec | undefined {
+  if (finding.at) return finding.at;
+  return finding.move !== null && finding.move < run.count ? placeAt(run, finding.move + 1)?.point : undefined;
+}
+
 /** Where the page holds a move of this number, or the next one that it holds. */
 function indexOf(run: Run, number: number): number {
   const at = run.number.findIndex(n => n >= number);
@@ -203,7 +225,7 @@ function main() {
   texts.show(doc.findings[0]?.where?.f ?? 0);
   // All of the above can be read where no picture can be drawn.
   const { picture, heights, limit } = pictureOf(doc, run, mesh);
-  const overlay = new Overlay($("overlay"), picture.views, doc.findings), report = new Report(doc, run, picture, overlay, texts, lines, findings);
+  const overlay = new Overlay($("overlay"), picture.views, doc.findings, finding => placeOf(run, finding)), report = new Report(doc, run, picture, overlay, texts, lines, findings);
   const view = $("view"), resize = () => picture.resize(view.clientWidth, view.clientHeight);
   picture.onFrame = viewIsNew => { if (viewIsNew) overlay.draw(); };
   resize();

@@ -83,7 +83,8 @@ export class Overlay {
   active: Finding | null = null;
   onPick: (finding: Finding) => void = () => {};
 
-  constructor(private readonly root: Element, private readonly views: Views, private readonly findings: Finding[]) {}
+  constructor(private readonly root: Element, private readonly views: Views, private readonly findings: Finding[],
+    private readonly placeOf: (finding: Finding) => Vec | undefined) {}
 
   draw() {
     const out: SVGElement[] = [];
@@ -100,9 +101,9 @@ export class Overlay {
   /** The chosen finding's mark first, so that it is never the one left out. */
   private marks(view: Viewport): SVGElement[] {
     const under: SVGElement[] = [], over: SVGElement[] = [], taken: [number, number][] = [];
-    const placed = this.findings.filter(f => f.at).sort((a, b) => Number(b === this.active) - Number(a === this.active) || a.no - b.no);
+    const placed = this.findings.filter(f => this.placeOf(f)).sort((a, b) => Number(b === this.active) - Number(a === this.active) || a.no - b.no);
     for (const finding of placed.slice(0, mostMarks)) {
-      const [x, y] = this.views.project(view, finding.at as Vec);
+      const [x, y] = this.views.project(view, this.placeOf(finding) as Vec);
       if (x < view.left || y < view.top || x > view.left + view.wide || y > view.top + view.high) continue;
       let cx = x + 26, cy = y - 24;
       for (let k = 0; k < 200 && taken.some(t => Math.abs(t[0] - cx) < 26 && Math.abs(t[1] - cy) < 22); ++k) {

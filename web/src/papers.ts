@@ -31,7 +31,7 @@ export function head(doc: Document) {
   const within = doc.tolerance ? ` The surface is computed to ${doc.tolerance} mm.` : "";
   $("foot").textContent = `obrys ${h.version}. Lengths in mm, workpiece coordinates.${within} Wheel: zoom. Drag: turn, with Shift or the `
     + "right button: move. Click the surface, the path, a finding or a line: the others follow. Keys in the picture: arrows turn it, with Shift "
-    + "they move it, + and \u2212 zoom, Home shows everything; in the text: arrows go from line to line, with Alt to the next line that moves, "
+    + "they move it, + and \u2212 zoom, Home shows everything; N and P: the next and the previous finding; in the text: arrows go from line to line, with Alt to the next line that moves, "
     + "Enter goes through the moves of a line.";
 }
 

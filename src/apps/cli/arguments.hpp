@@ -78,6 +78,7 @@ struct Arguments {
     std::string other;                  ///< of compare: what `request.input` is held against
     std::string control_a, control_b;   ///< of compare: of one of both alone
     std::string job_file;               ///< of compare: for both programs
+    double chord = 0;                   ///< of translate, mm: curves without words as straight lines; 0: refused
     double same_place = 1e-4;           ///< of compare, mm
     bool in_place = false;              ///< of fmt: write the files
     bool only_check = false;            ///< of fmt: say what would change

@@ -93,7 +93,7 @@ int data(const Arguments& a) {
     subject.data = sim::cutting::solve(subject.asked, limits);
     const std::string text = a.format == "json" ? report::cutting::as_json(subject) : report::cutting::as_text(subject);
     if (!deliver(a.output, text)) return 2;
-    if (!subject.data.differences.empty() || subject.data.impossible) return 1;
+    if (!subject.data.differences.empty() || subject.data.impossible || subject.data.feed_implausible) return 1;
     const bool found = std::isfinite(subject.data[Value::speed]) || std::isfinite(subject.data[Value::feed]);
     return found ? 0 : 3;
 }

@@ -157,14 +157,16 @@ void add_simulation_tolerance(CLI::App& app, Arguments& a) {
         ->type_name("MM");
 }
 
+std::string is_length(const std::string& text) {
+    const auto value = base::parse_double(text);
+    return value && *value > 0 && *value <= 1 ? std::string() : "must be a length in mm above 0, at most 1";
+}
+
 /// How near both runs must lie.
 void add_same_place(CLI::App& app, Arguments& a) {
     app.add_option_function<double>(
            "--tolerance", [&a](const double& mm) { a.same_place = mm; }, "how far places may lie apart, mm (0.0001)")
-        ->check([](const std::string& text) {
-            const auto value = base::parse_double(text);
-            return value && *value > 0 && *value <= 1 ? std::string() : "must be a length in mm above 0, at most 1";
-        })
+        ->check(is_length)
         ->type_name("MM");
 }
 
@@ -181,9 +183,17 @@ CLI::App* add_translate(CLI::App& app, Arguments& a) {
         ->type_name("FILE");
     translate->add_flag("--accept-loss", a.accept_loss, "write the program also where something is lost or differs");
     add_same_place(*translate, a);
+    auto* chord =
+        translate
+            ->add_option_function<double>(
+                "--chord", [&a](const double& mm) { a.chord = mm; },
+                "curves that the control has no words for as straight lines, no farther from them than so much")
+            ->check(is_length)
+            ->type_name("MM");
     translate->callback([&a] { a.request.stand_alone = a.to == "canon"; });  // whose calls are those of rs274
     auto* keep = translate->add_flag(
         "--keep", a.keep, "statement by statement: parameters, expressions, branches, loops and subprograms stay");
+    keep->excludes(chord);
     translate->add_option("--sets", a.sets, "--keep: prove it with so many sets of other values, too (3)")
         ->needs(keep)
         ->check(CLI::Range(0, 1000))

@@ -4,6 +4,7 @@
 
 #include <cstdio>
 
+#include "base/number.hpp"
 #include "commands.hpp"
 #include "driver/stream_file.hpp"
 #include "session.hpp"
@@ -18,16 +19,18 @@ namespace {
 std::string program_name(const std::string& path) { return driver::fs::path(path).stem().string(); }
 
 /// How it went, for people.
-void print(const driver::Settled& settled, const write::Post& post) {
+void print(const driver::Settled& settled, const write::Post& post, double chord) {
     const auto& [t, proved] = settled;
     if (!proved.why_not.empty()) std::fprintf(stderr, "not compared: %s\n", proved.why_not.c_str());
     if (proved.run != nullptr && (proved.run_complains || !proved.why_not.empty()))
         print_diagnostics(*proved.run, base::Severity::warning);
+    const std::string chords =
+        t.chords.empty() ? "" : " but for curves as straight lines within " + base::shortest(chord) + " mm";
     if (proved.why_not.empty())
         std::fprintf(stderr, "%s%s%s: %zu moves, run again as %s, within %g mm%s%s%s%s\n",
                      t.ledger.has_lost() && !proved.differs ? "what is written " : "", verdict_of(proved),
-                     t.stairs.empty() ? "" : " as the staircases", proved.moves, post.control.c_str(), proved.within,
-                     of_increments(proved).c_str(),
+                     t.stairs.empty() ? chords.c_str() : " as the staircases", proved.moves, post.control.c_str(),
+                     proved.within, of_increments(proved).c_str(),
                      proved.planes_rounded ? ", tilted planes as the words of their angles hold them" : "",
                      proved.feeds_rounded ? ", feeds as their words hold them" : "",
                      proved.speeds_rounded ? ", speeds as their words hold them" : "");
@@ -49,12 +52,13 @@ int translate_by_motion(driver::Session& s, const write::Post& post, const Argum
     const Target target = target_of(a, name, post);
     compare::Tolerance tolerance;
     tolerance.length = a.same_place;
-    const driver::Settled settled = driver::translate(s, post, with_outputs(a), {name, target.folder}, tolerance);
+    const driver::Settled settled =
+        driver::translate(s, post, with_outputs(a), {name, target.folder, a.chord}, tolerance);
     const driver::Translated& t = settled.translated;
     const driver::Proved& proof = settled.proved;
     std::fputs(t.tools.c_str(), stderr);
     if (!t.stairs.empty()) std::fprintf(stderr, "%s\n", t.stairs.c_str());
-    print(settled, post);
+    print(settled, post, a.chord);
     print_diagnostics(s);
     const int run = driver::exit_code_of_translation(s);
     const bool lost = t.ledger.has_lost() || proof.differs, refused = lost && !a.accept_loss;

@@ -14,6 +14,7 @@
 #include "check/milling_tool.hpp"
 #include "check/use_findings.hpp"
 #include "check/words.hpp"
+#include "mesh/crossing.hpp"
 #include "sim/milling/surface/surface.hpp"
 
 namespace obrys::check {
@@ -214,17 +215,35 @@ void Milling::add_filled(mesh::Comparison& found, const Machined& machined, cons
             "try a smaller tolerance (--tolerance), or check a smaller part of it");
 }
 
+/// Of a stock that goes through itself rays tell by parity what is within, and distances tell another thing: what is
+/// looked for between the rays would never come to an end.
+void Milling::judge_crossing() {
+    const auto* stock = std::get_if<milling::MeshStock>(&setup_.milling->stock);
+    if (stock == nullptr) return;
+    const auto found =
+        mesh::self_crossing(mesh::Distance({stock->vertices, stock->triangles, {}}), setup_.milling->tolerance);
+    if (!found) return;
+    crossed_ = true;
+    out_.unchecked("the stock's surface goes through itself, first at " + point(*found) +
+                       ": it is not known what is material there, and rapids in it are not looked for between the rays",
+                   "unite its bodies in the CAD system, and export one solid");
+}
+
+std::function<bool()> Milling::surface_ends() const {
+    return crossed_ ? [] { return true; } : setup_.out_of_time;
+}
+
 /// What was left when one of the moves had been made.
 void Milling::keep_at_move(Milled& milled, std::uint64_t index) {
     std::size_t passes = 0;
     while (passes < move_of_pass_.size() && milled.moves[move_of_pass_[passes]].index <= index) ++passes;
     const milling::Simulation then = simulation_->at(passes);
-    milled.at_move = milling::extract_surface(then, setup_.out_of_time).mesh;
+    milled.at_move = milling::extract_surface(then, surface_ends()).mesh;
     for (std::uint32_t& tag : milled.at_move->tags) tag = tag_of(tag);
 }
 
 milling::Refined Milling::make_surface(Milled& milled) const {
-    milling::Surface surface = milling::extract_surface(*simulation_, setup_.out_of_time);
+    milling::Surface surface = milling::extract_surface(*simulation_, surface_ends());
     for (std::uint32_t& tag : surface.mesh.tags) tag = tag_of(tag);
     milled.surface = std::move(surface.mesh);
     milled.thin = surface.thin;

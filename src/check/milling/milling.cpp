@@ -71,6 +71,7 @@ void Milling::begin() {
                 : std::string());
     }
     const auto& lattice = fine.lattice;
+    judge_crossing();
     simulation_.emplace(m.stock, *lattice, m.tolerance, m.threads);
     if (simulation_->open_rays() > 0)
         out_.unchecked("the stock's surface is not closed: " + std::to_string(simulation_->open_rays()) +
@@ -88,7 +89,7 @@ void Milling::begin() {
         certificate_.emplace(m, allowed);
         part_guard_.emplace(m.part, allowed, m.threads, before_of(m.stock, stock_chords * allowed));
     }
-    if (simulation_->open_rays() == 0)
+    if (simulation_->open_rays() == 0 && !crossed_)
         stock_guard_.emplace(m.stock, setup_.tolerances.rapid,
                              std::max({lattice->step.x, lattice->step.y, lattice->step.z}), m.tolerance, m.threads);
     add_clamps(m.memory_bytes - fine.bytes);

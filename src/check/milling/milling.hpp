@@ -157,6 +157,8 @@ private:
     [[nodiscard]] bool meets_core(const CoreDescent::Steep& steep, geom::Vec3 axis) const;
     void judge_plunge(const QueuedPass& pass, const MilledMove& move, const sim::milling::Engagement& met);
     void keep_thread(const Move& move);
+    void judge_crossing();
+    [[nodiscard]] std::function<bool()> surface_ends() const;
     void judge_open(const sim::milling::Refined& refined);
     void add_thin(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
     void add_filled(mesh::Comparison& found, const Machined& machined, const mesh::CompareOptions& options);
@@ -209,6 +211,7 @@ private:
     std::size_t moves_with_points_ = 0;
     std::vector<QueuedPass> queued_;
     std::optional<StockGuard> stock_guard_;
+    bool crossed_ = false;                 ///< the stock's surface goes through itself
     std::optional<BodyGuard> part_guard_;  ///< for what does not cut, where there is a part to be held to
     std::vector<Entered> entered_part_;
     std::vector<CorePiece> core_pieces_;

@@ -63,11 +63,11 @@ void Milling::queue_rapid(const Move& move, const MilledMove& m, const geom::Pat
     const geom::Straight straight{move.from, move.to};
     const shop::RapidPath path = rapid_path(setup_);
     if (path == shop::RapidPath::straight) return queue(straight, m, false);
-    if (!are_square(view.linear)) {
+    if (!motion::are_square(view.linear)) {
         out_.unchecked(move.record, "rapids that may bend are simulated straight while the rotary axes are swivelled");
         return queue(straight, m, false);
     }
-    const std::vector<geom::Vec3> corners = corners_of_rapid(setup_.machine, view.linear, move.from, move.to);
+    const std::vector<geom::Vec3> corners = motion::corners_of_rapid(setup_.machine, view.linear, move.from, move.to);
     if (corners.size() == 1) return queue(straight, m, false);
     if (path == shop::RapidPath::either) {
         if (!leaves_the_wall(straight)) queue_if_bent(move.from, corners);

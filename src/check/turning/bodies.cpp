@@ -63,7 +63,8 @@ std::vector<sim::turning::Move> Removal::ways_of(const Move& move, shop::RapidPa
         return {in_turning_plane(move)};
     std::vector<sim::turning::Move> ways;
     geom::Vec3 from{move.from.x, 0, move.from.z};
-    for (const geom::Vec3& to : corners_of_rapid(setup_.machine, upright_axes, from, {move.to.x, 0, move.to.z})) {
+    for (const geom::Vec3& to :
+         motion::corners_of_rapid(setup_.machine, motion::upright_axes, from, {move.to.x, 0, move.to.z})) {
         ways.push_back({{from.z, from.x}, {to.z, to.x}, {}, 0});
         from = to;
     }

@@ -87,6 +87,11 @@ void Removal::first_use(const Move& move) {
     if (tool_ != nullptr) listed = static_cast<std::size_t>(tool_ - setup_.tools.data());
     uses.push_back({tool.number, tool.edge, tool.name, listed, move.record.from, move.record.from, 0, 0, 0, 0});
     use_ = static_cast<std::uint32_t>(uses.size());
+    const auto another = [&](const ToolUse& u) { return u.number != tool.number || u.name != tool.name; };
+    if (work_ && std::any_of(uses.begin(), uses.end(), another))
+        out_.assumption(
+            "the swing of the turret to another tool is not checked: how far its tools stand out is not given",
+            state_.changed);
     if (tool_ != nullptr) return;
     if (!setup_.tools_given && setup_.scope == shop::Scope::motion) return;
     if (!setup_.tools_given)

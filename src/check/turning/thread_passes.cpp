@@ -27,6 +27,16 @@ double revolutions(double way, double lead, double change) {
     return (std::sqrt(std::max(0.0, lead * lead + 2 * change * way)) - lead) / change;
 }
 
+/// Inserts for threads have 60 degrees and less between their flanks; of buttress threads one leans by 45 (DIN 2781) or
+/// 30 (DIN 513), and passes may come in along it. Wider inserts are made for turning.
+double widest_tangent(const shop::Tool& tool, bool on_face) {
+    constexpr double widest_tip = 60, square = 90;
+    if (on_face || !(tool.tip_angle <= widest_tip)) return tangent_30;
+    const double lean =
+        std::max(std::abs(square - tool.entering_angle), std::abs(tool.entering_angle + tool.tip_angle - square));
+    return lean < square - 1 ? std::max(tangent_30, std::tan(geom::radians(lean))) : tangent_30;
+}
+
 double whole_turns_off(double turns) { return turns - std::round(turns); }
 
 std::string sense(int spindle) { return spindle > 0 ? "clockwise (M3)" : "counter-clockwise (M4)"; }
@@ -82,7 +92,10 @@ void ThreadPasses::cut(const Move& move, const geom::Region& band, const shop::T
     if (found == threads_.end()) {
         constexpr double narrow = 0.25;  // of the lead: no nose of a thread is rounder
         if (threads_.size() >= most_pieces) return;
-        threads_.push_back({band, tool.kind == shop::ToolKind::turning && tool.nose_radius < narrow * p.lead, {}});
+        threads_.push_back({band,
+                            widest_tangent(tool, p.on_face),
+                            tool.kind == shop::ToolKind::turning && tool.nose_radius < narrow * p.lead,
+                            {}});
         threads_.back().pieces.push_back(std::move(p));
         return;
     }
@@ -196,7 +209,7 @@ void ThreadPasses::judge(const Thread& thread) {
             return std::abs(off(p, a)) < std::abs(off(p, b));
         });
         const double shift = off(p, *nearest);
-        if (std::abs(shift) > (p.height - lowest) * tangent_30 + same_place)
+        if (std::abs(shift) > (p.height - lowest) * thread.tangent + same_place)
             return say_crossed(*p.piece, *nearest->piece, shift);
     }
 }

@@ -45,6 +45,7 @@ private:
     /// Pieces whose bands overlap.
     struct Thread {
         geom::Region band;
+        double tangent = 0;   ///< of the wider flank, against what is across the axis
         bool pointed = true;  ///< the insert is narrow: passes beside each other are no widening of the groove
         std::vector<Piece> pieces;
     };

@@ -17,20 +17,20 @@
 
 namespace obrys::cycles {
 
-geom::Vec2 read_target(Course& c, const Situation& s) {
-    const geom::Vec2 target{c.maybe(Role::target_u, s.at.x), c.maybe(Role::target_v, s.at.y)};
+geom::Vec2 target_of(Course& c, const Said& u, const Said& v, const Situation& s) {
+    const geom::Vec2 target{u.value_or(s.at.x), v.value_or(s.at.y)};
     c.known(target.x + target.y, "the position of the hole");
     return target;
 }
 
-Hole read_hole(Course& c, const Situation& s) {
+Hole hole_of(Course& c, const HolePlanes& d, const Situation& s) {
     Hole h;
-    h.target = read_target(c, s);
-    h.called_here = std::isnan(c.maybe(Role::target_u, unknown)) && std::isnan(c.maybe(Role::target_v, unknown));
-    h.retract = c.need(Role::retract_plane);
-    h.bottom = c.need(Role::bottom);
-    h.end = c.maybe(Role::return_level, h.retract);
-    const double rise = c.maybe(Role::rise_first, 0);
+    h.target = target_of(c, d.target_u, d.target_v, s);
+    h.called_here = std::isnan(d.target_u.value_or(unknown)) && std::isnan(d.target_v.value_or(unknown));
+    h.retract = d.retract_plane;
+    h.bottom = d.bottom;
+    h.end = d.return_level.value_or(h.retract);
+    const double rise = d.rise_first.value_or(0);
     h.rise_first = rise != 0;
     h.risen = rise > 1;
     if (h.rise_first) c.known(s.at.z, "the tool's height");
@@ -38,9 +38,9 @@ Hole read_hole(Course& c, const Situation& s) {
     return h;
 }
 
-double top_of(Course& c, const Hole& h) {
-    const double top = c.maybe(Role::surface, h.retract);
-    if (top > h.retract || top < h.bottom)
+double top_of(Course& c, const HolePlanes& d) {
+    const double top = asked_or(c, d, &HolePlanes::surface, Must::be_known, d.retract_plane);
+    if (top > d.retract_plane || top < d.bottom)
         c.fault(Role::surface, "the surface does not lie between the retract plane and the bottom of the hole");
     return top;
 }
@@ -57,8 +57,8 @@ void approach(Course& c, const Hole& h) {
     if (c.at().z != h.retract) rapid_to_w(c, h.retract);
 }
 
-void dwell_if(Course& c, const Demand& demand, Role role) {
-    if (const auto seconds = demand.find(role)) c.add(cl::Dwell{.seconds = *seconds});
+void dwell_if(Course& c, const Said& seconds) {
+    if (seconds) c.add(cl::Dwell{.seconds = *seconds});
 }
 
 void feed_out(Course& c, const Hole& h, bool whole_way) {
@@ -67,11 +67,10 @@ void feed_out(Course& c, const Hole& h, bool whole_way) {
     rapid_to_w(c, h.end);
 }
 
-Turning read_turning(Course& c, const Situation& s) {
+Turning turning_of(Course& c, const Said& speed, const Said& direction, const Situation& s) {
     Turning t;
-    const double said = c.maybe_at_least(Role::spindle_speed, 0, unknown);
-    t.speed = std::isnan(said) ? c.spindle_speed(s) : said;
-    const double wanted = c.maybe(Role::spindle_direction, s.spindle_direction);
+    t.speed = speed ? *speed : c.spindle_speed(s);
+    const double wanted = direction.value_or(s.spindle_direction);
     if (wanted == 0) c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
     if (wanted != 0 && std::abs(wanted) != 1) c.fault(Role::spindle_direction, "the spindle direction must be 1 or -1");
     t.direction = wanted < 0 ? -1 : 1;
@@ -81,18 +80,17 @@ Turning read_turning(Course& c, const Situation& s) {
 void stop_spindle(Course& c, const Turning& t) { c.spindle(t.speed, 0); }
 void start_spindle(Course& c, const Turning& t) { c.spindle(t.speed, t.direction); }
 
-void begin_turning(Course& c, const Demand& demand, const Situation& s, const Turning& t) {
-    if (demand.get(Role::starts_spindle, 0) == 1 && s.spindle_direction != t.direction) start_spindle(c, t);
+void begin_turning(Course& c, const Said& starts_spindle, const Situation& s, const Turning& t) {
+    if (starts_spindle.value_or(0) == 1 && s.spindle_direction != t.direction) start_spindle(c, t);
 }
 
-void end_turning(Course& c, const Demand& demand, const Turning& t) {
-    const auto after = demand.find(Role::spindle_after);
-    if (!after) return start_spindle(c, t);
-    if (*after != 0) c.spindle(t.speed, *after > 0 ? 1 : -1);
+void end_turning(Course& c, const Said& spindle_after, const Turning& t) {
+    if (!spindle_after) return start_spindle(c, t);
+    if (*spindle_after != 0) c.spindle(t.speed, *spindle_after > 0 ? 1 : -1);
 }
 
-void feed_of(Course& c, const Demand& demand, Role role) {
-    if (const auto feed = demand.find(role)) c.add(cl::Feed{*feed, cl::FeedMode::per_minute});
+void feed_of(Course& c, const Said& feed) {
+    if (feed) c.add(cl::Feed{*feed, cl::FeedMode::per_minute});
 }
 
 namespace {
@@ -106,19 +104,6 @@ void feed_to_bottom(Course& c, const Hole& h, double finish, double factor, doub
         return c.add(cl::Feed{feed, cl::FeedMode::per_minute});
     }
     feed_w(c, h.bottom);
-}
-
-void drill(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
-    const double finish = c.maybe_at_least(Role::finish_infeed, 0, 0);
-    const double factor = finish > 0 ? c.positive(Role::feed_factor) / 100 : 1;
-    const double feed = factor != 1 ? c.known(s.feed, "the feed rate in mm/min") : 0;
-    if (!c.ready()) return;
-    approach(c, h);
-    feed_to_bottom(c, h, finish, factor, feed);
-    dwell_if(c, demand, Role::dwell_bottom);
-    rapid_to_w(c, h.end);
 }
 
 /// Infeeds added up as LinuxCNC does it, in binary numbers of the program's unit: a rounding error may leave one more
@@ -138,55 +123,47 @@ std::vector<double> binary_levels(Course& c, const Hole& h, double infeed, doubl
 
 struct Pecks {
     std::vector<double> levels;  ///< ends of the infeeds, the bottom last
-    double back = 0;             ///< chip breaking: this far up
+    Said back;                   ///< chip breaking: this far up
     double stop = 0;             ///< pecking: rapid down to this far above
     double out = 0;              ///< pecking: out to this height
     double full_every = 0;       ///< chip breaking: depth between full retractions, 0 none
     bool binary = false;
+    Said dwell;  ///< s, at the bottom
 };
 
 /// Ends of the infeeds below `top`, of which the first two may be larger.
-std::vector<double> levels_below(Course& c, double top, double bottom, const Infeeds& infeeds) {
-    const double first = c.maybe_at_least(Role::first_infeed, 0, 0),
-                 second = c.maybe_at_least(Role::second_infeed, 0, 0);
-    if (!c.ready()) return {};
+std::vector<double> levels_below(Course& c, double top, const PeckInfeeds& d) {
     std::vector<double> levels;
-    for (const double larger : {first, second}) {
-        if (larger <= 0 || top - larger <= bottom + same_depth) continue;
+    for (const double larger : {d.first_infeed.value_or(0), d.second_infeed.value_or(0)}) {
+        if (larger <= 0 || top - larger <= d.bottom + same_depth) continue;
         top -= larger;
         levels.push_back(top);
     }
-    const std::vector<double> rest = levels_of(c, top, bottom, infeeds);
+    const std::vector<double> rest =
+        levels_of(c, top, d.bottom, {d.infeed, d.decrement.value_or(0), d.min_infeed.value_or(0)});
     levels.insert(levels.end(), rest.begin(), rest.end());
     return levels;
 }
 
-Pecks read_pecks(Course& c, const Hole& h, bool chip_break) {
+/// What pecking and chip breaking have in common; how far back and down is left to them.
+Pecks pecks_of(Course& c, const PeckInfeeds& d, const Hole& h) {
     Pecks p;
-    const double top = top_of(c, h);
-    p.out = c.maybe(Role::peck_to_surface, 0) != 0 ? top : h.retract;
+    const double top = top_of(c, d);
+    p.out = d.peck_to_surface.value_or(0) != 0 ? top : h.retract;
     if (p.out < h.retract)
         c.assume(
             "between the infeeds the tool goes out to a distance below the top of the hole that is not documented: it "
             "is run up to the top");
-    const double unit = c.maybe(Role::length_unit, 0);
+    const double unit = d.length_unit.value_or(0);
     p.binary = unit > 0;
-    const Infeeds infeeds = read_infeeds(c, true);
-    if (chip_break) {
-        p.back = c.at_least(Role::chip_break_distance, 0);
-        p.full_every = c.maybe_at_least(Role::retract_every, 0, 0);
-    }
-    if (!chip_break || p.full_every > 0) p.stop = c.at_least(Role::stop_distance_first, 0);
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
+    p.dwell = d.dwell_bottom;
     if (!c.ready()) return p;
-    p.levels = p.binary ? binary_levels(c, h, infeeds.first, unit) : levels_below(c, top, h.bottom, infeeds);
+    p.levels = p.binary ? binary_levels(c, h, d.infeed, unit) : levels_below(c, top, d);
     if (p.levels.empty()) p.levels.push_back(h.bottom);
     return p;
 }
 
-void pecks(Course& c, const Demand& demand, const Situation& s, bool chip_break) {
-    const Hole h = read_hole(c, s);
-    const Pecks p = read_pecks(c, h, chip_break);
+void run_pecks(Course& c, const Hole& h, const Pecks& p) {
     if (!c.ready()) return;
     // LinuxCNC goes back by the whole distance even where that is above the retract plane.
     const auto above = [&](double w) { return p.binary ? w : std::min(w, h.retract); };
@@ -196,8 +173,8 @@ void pecks(Course& c, const Demand& demand, const Situation& s, bool chip_break)
         const double level = p.levels[i];
         feed_w(c, level);
         const bool full = p.full_every > 0 && since - level >= p.full_every - same_depth;
-        if (chip_break && !full) {
-            rapid_to_w(c, above(level + p.back));
+        if (p.back && !full) {
+            rapid_to_w(c, above(level + *p.back));
             continue;
         }
         since = level;
@@ -206,22 +183,40 @@ void pecks(Course& c, const Demand& demand, const Situation& s, bool chip_break)
         rapid_to_w(c, p.out < h.retract ? std::min(down, p.out) : down);
     }
     feed_w(c, h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
+    dwell_if(c, p.dwell);
     rapid_to_w(c, h.end);
 }
 
 }  // namespace
 
-void expand_canned(Course& c, const Demand& demand, const Situation& situation) {
-    switch (demand.kind) {
-        case Kind::canned_drill: return drill(c, demand, situation);
-        case Kind::canned_chip_break: return pecks(c, demand, situation, true);
-        case Kind::canned_peck: return pecks(c, demand, situation, false);
-        case Kind::canned_deep: return canned_deep(c, demand, situation);
-        case Kind::canned_tap_floating:
-        case Kind::canned_tap_rigid: return canned_tap(c, demand, situation);
-        default: return canned_bore(c, demand, situation);
-    }
+void write_steps(Course& c, const Drilling& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const double finish = d.finish_infeed.value_or(0);
+    const double factor = finish > 0 ? asked(c, d, &Drilling::feed_factor, Must::be_above_0) / 100 : 1;
+    const double feed = factor != 1 ? c.known(s.feed, "the feed rate in mm/min") : 0;
+    if (!c.ready()) return;
+    approach(c, h);
+    feed_to_bottom(c, h, finish, factor, feed);
+    dwell_if(c, d.dwell_bottom);
+    rapid_to_w(c, h.end);
+}
+
+void write_steps(Course& c, const ChipBreakDrilling& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const double every = d.retract_every.value_or(0);
+    const double stop = every > 0 ? asked(c, d, &ChipBreakDrilling::stop_distance_first, Must::be_at_least_0) : 0;
+    Pecks p = pecks_of(c, d, h);
+    p.back = d.chip_break_distance;
+    p.full_every = every;
+    p.stop = stop;
+    run_pecks(c, h, p);
+}
+
+void write_steps(Course& c, const PeckDrilling& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    Pecks p = pecks_of(c, d, h);
+    p.stop = d.stop_distance_first;
+    run_pecks(c, h, p);
 }
 
 }  // namespace obrys::cycles

@@ -16,7 +16,7 @@
 /// kind), Haas VF manual (G77); the other sequences of Fanuc and Haas are from memory of their operator's manuals, not
 /// found again in the sources at hand.
 
-#include "cycles/course.hpp"
+#include "cycles/hole/between_planes.hpp"
 
 namespace obrys::cycles {
 
@@ -26,19 +26,19 @@ struct Hole {
     double retract = 0, bottom = 0, end = 0;  ///< w
     bool rise_first = false, risen = false;
 };
-[[nodiscard]] Hole read_hole(Course& course, const Situation& situation);
-/// As above without the retract plane's part: back boring, where it may be missing.
-[[nodiscard]] geom::Vec2 read_target(Course& course, const Situation& situation);
+[[nodiscard]] Hole hole_of(Course& course, const HolePlanes& cycle, const Situation& situation);
+/// Where the hole is, of a cycle that says its place itself.
+[[nodiscard]] geom::Vec2 target_of(Course& course, const Said& u, const Said& v, const Situation& situation);
 
 /// Where infeeds count from: the surface, not written: the retract plane.
-[[nodiscard]] double top_of(Course& course, const Hole& hole);
+[[nodiscard]] double top_of(Course& course, const HolePlanes& cycle);
 
 /// From where the tool stands to the retract plane above the hole.
 void approach(Course& course, const Hole& hole);
 void feed_w(Course& course, double w);
 void rapid_to_w(Course& course, double w);
-/// The dwell of a role that is written; its value was read with maybe_at_least.
-void dwell_if(Course& course, const Demand& demand, cl::CycleRole role);
+/// A dwell that is said, also of 0 s.
+void dwell_if(Course& course, const Said& seconds);
 
 /// The way out at feed: to the retract plane and on at rapid, or to the end where feed_out is 1.
 void feed_out(Course& course, const Hole& hole, bool whole_way);
@@ -48,20 +48,15 @@ struct Turning {
     double speed = 0;
     int direction = 0;  ///< +1 M3, -1 M4
 };
-/// spindle_speed, else the one in force. spindle_direction (+1, -1), else the direction in which it turns already; a
-/// standing spindle is then a complaint.
-[[nodiscard]] Turning read_turning(Course& course, const Situation& situation);
+/// As said, else as in force; a standing spindle is then a complaint.
+[[nodiscard]] Turning turning_of(Course& course, const Said& speed, const Said& direction, const Situation& situation);
 void stop_spindle(Course& course, const Turning& turning);
 void start_spindle(Course& course, const Turning& turning);
-/// Before the tool goes in: where starts_spindle asks for it, and the spindle does not turn so.
-void begin_turning(Course& course, const Demand& demand, const Situation& situation, const Turning& turning);
-/// As spindle_after says; not written: as before.
-void end_turning(Course& course, const Demand& demand, const Turning& turning);
-/// What a role says in mm/min from here on; nothing where it is not written.
-void feed_of(Course& course, const Demand& demand, cl::CycleRole role);
-
-void canned_tap(Course& course, const Demand& demand, const Situation& situation);
-void canned_deep(Course& course, const Demand& demand, const Situation& situation);
-void canned_bore(Course& course, const Demand& demand, const Situation& situation);
+/// Before the tool goes in: where the cycle starts the spindle, and it does not turn so.
+void begin_turning(Course& course, const Said& starts_spindle, const Situation& situation, const Turning& turning);
+/// As said; not said: as before.
+void end_turning(Course& course, const Said& spindle_after, const Turning& turning);
+/// A feed that is said, mm/min, from here on.
+void feed_of(Course& course, const Said& feed);
 
 }  // namespace obrys::cycles

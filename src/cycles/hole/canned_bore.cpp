@@ -19,131 +19,114 @@
 #include <cmath>
 
 #include "cycles/hole/canned.hpp"
+#include "cycles/hole/families.hpp"
 
 namespace obrys::cycles {
 
 namespace {
 
-void bore_feed(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
-    const bool whole_way = c.maybe(Role::feed_out, 0) != 0;
-    for (const Role role : {Role::feed_plunge, Role::feed_retract})
-        if (demand.find(role)) c.positive(role);
-    if (!c.ready()) return;
-    approach(c, h);
-    feed_of(c, demand, Role::feed_plunge);
-    feed_w(c, h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
-    feed_of(c, demand, Role::feed_retract);
-    feed_out(c, h, whole_way);
-}
-
-void bore_stop(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    const Turning t = read_turning(c, s);
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
-    if (!c.ready()) return;
-    approach(c, h);
-    begin_turning(c, demand, s, t);
-    feed_w(c, h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
-    stop_spindle(c, t);
-    if (demand.get(Role::stops_program, 0) == 1) c.add(cl::Stop{cl::StopKind::program});
-    rapid_to_w(c, h.end);
-    end_turning(c, demand, t);
-}
-
-geom::Vec2 read_shift(Course& c) { return {c.need(Role::shift_u), c.need(Role::shift_v)}; }
-
-/// The tool stands in a known direction: the shift goes by it. NaN: the machine knows the angle.
-void orient(Course& c, const Turning& t, double angle = NAN) {
-    c.add(cl::Spindle{.speed = t.speed, .direction = 0, .held = angle});
+/// The tool stands in a known direction: the shift goes by it. Not said: the machine knows the angle.
+void orient(Course& c, const Turning& t, const Said& angle = {}) {
+    c.add(cl::Spindle{.speed = t.speed, .direction = 0, .held = angle.value_or(NAN)});
 }
 
 void in_plane(Course& c, geom::Vec2 to) { c.straight({to.x, to.y, c.at().z}, true); }
 
-void bore_orient(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    const Turning t = read_turning(c, s);
-    const geom::Vec2 shift = read_shift(c);
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
-    const double lift = c.maybe(Role::shift_w, 0);
-    const auto angle = demand.find(Role::spindle_angle);
+/// The heights of a back bore, which need no retract plane.
+Hole hole_of_back_bore(Course& c, const BackBoring& d, const Situation& s) {
+    if (d.retract_plane) {
+        HolePlanes planes;
+        planes.target_u = d.target_u, planes.target_v = d.target_v;
+        planes.retract_plane = *d.retract_plane, planes.bottom = d.bottom;
+        planes.return_level = d.return_level, planes.rise_first = d.rise_first;
+        return hole_of(c, planes, s);
+    }
+    Hole h;
+    h.target = target_of(c, d.target_u, d.target_v, s);
+    h.bottom = d.bottom;
+    h.end = c.known(d.return_level.value_or(s.at.z), "the height where the cycle ends");
+    return h;
+}
+
+}  // namespace
+
+void write_steps(Course& c, const FeedBoring& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
     if (!c.ready()) return;
     approach(c, h);
-    begin_turning(c, demand, s, t);
+    feed_of(c, d.feed_plunge);
     feed_w(c, h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
-    orient(c, t, angle.value_or(NAN));
-    const geom::Vec2 beside = h.target + shift;
-    c.straight({beside.x, beside.y, h.bottom + lift}, true);
+    dwell_if(c, d.dwell_bottom);
+    feed_of(c, d.feed_retract);
+    feed_out(c, h, d.feed_out.value_or(0) != 0);
+}
+
+void write_steps(Course& c, const StopBoring& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
+    if (!c.ready()) return;
+    approach(c, h);
+    begin_turning(c, d.starts_spindle, s, t);
+    feed_w(c, h.bottom);
+    dwell_if(c, d.dwell_bottom);
+    stop_spindle(c, t);
+    if (d.stops_program.value_or(0) == 1) c.add(cl::Stop{cl::StopKind::program});
+    rapid_to_w(c, h.end);
+    end_turning(c, d.spindle_after, t);
+}
+
+void write_steps(Course& c, const OrientedBoring& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
+    if (!c.ready()) return;
+    approach(c, h);
+    begin_turning(c, d.starts_spindle, s, t);
+    feed_w(c, h.bottom);
+    dwell_if(c, d.dwell_bottom);
+    orient(c, t, d.spindle_angle);
+    const geom::Vec2 beside = h.target + geom::Vec2{d.shift_u, d.shift_v};
+    c.straight({beside.x, beside.y, h.bottom + d.shift_w.value_or(0)}, true);
     rapid_to_w(c, h.end);
     in_plane(c, h.target);
-    end_turning(c, demand, t);
+    end_turning(c, d.spindle_after, t);
 }
 
-struct BackBore {
-    Hole hole;
-    bool by_retract_plane = false, feed_back = false;
-    double top = 0;
-    geom::Vec2 beside;
-};
-
-BackBore read_back_bore(Course& c, const Demand& demand, const Situation& s) {
-    BackBore b;
-    b.by_retract_plane = demand.find(Role::retract_plane).has_value();
-    if (b.by_retract_plane) {
-        b.hole = read_hole(c, s);
-    } else {
-        b.hole.target = read_target(c, s);
-        b.hole.bottom = c.need(Role::bottom);
-        b.hole.end = c.maybe(Role::return_level, s.at.z);
-        c.known(b.hole.end, "the height where the cycle ends");
-    }
-    b.top = c.need(Role::counterbore_top);
-    b.beside = b.hole.target + read_shift(c);
-    b.feed_back = c.maybe(Role::feed_out, 0) != 0;
-    return b;
-}
-
-void back_bore(Course& c, const Demand& demand, const Situation& s) {
-    const BackBore b = read_back_bore(c, demand, s);
-    const Turning t = read_turning(c, s);
-    c.maybe_at_least(Role::dwell, 0, 0);
+void write_steps(Course& c, const BackBoring& d, const Situation& s) {
+    const Hole h = hole_of_back_bore(c, d, s);
+    const geom::Vec2 beside = h.target + geom::Vec2{d.shift_u, d.shift_v};
+    const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
     if (!c.ready()) return;
-    if (b.by_retract_plane) {
-        approach(c, b.hole);
-        in_plane(c, b.beside);
+    if (d.retract_plane) {
+        approach(c, h);
+        in_plane(c, beside);
         orient(c, t);
     } else {
-        in_plane(c, b.hole.target);
+        in_plane(c, h.target);
         c.over_place();
         orient(c, t);
-        in_plane(c, b.beside);
+        in_plane(c, beside);
     }
-    rapid_to_w(c, b.hole.bottom);
-    in_plane(c, b.hole.target);
+    rapid_to_w(c, h.bottom);
+    in_plane(c, h.target);
     start_spindle(c, t);
-    feed_w(c, b.top);
-    dwell_if(c, demand, Role::dwell);
-    if (b.feed_back) feed_w(c, b.hole.bottom);
+    feed_w(c, d.counterbore_top);
+    dwell_if(c, d.dwell);
+    if (d.feed_out.value_or(0) != 0) feed_w(c, h.bottom);
     orient(c, t);
-    in_plane(c, b.beside);
-    rapid_to_w(c, b.hole.end);
-    in_plane(c, b.hole.target);
+    in_plane(c, beside);
+    rapid_to_w(c, h.end);
+    in_plane(c, h.target);
     start_spindle(c, t);
 }
 
-void bore_manual(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    const Turning t = read_turning(c, s);
-    const bool with_move = c.maybe(Role::manual_retract, 0) != 0;
-    c.maybe_at_least(Role::dwell_bottom, 0, 0);
+void write_steps(Course& c, const ManualBoring& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
+    const bool with_move = d.manual_retract.value_or(0) != 0;
     if (!c.ready()) return;
     approach(c, h);
     feed_w(c, h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
+    dwell_if(c, d.dwell_bottom);
     stop_spindle(c, t);
     c.add(cl::Stop{cl::StopKind::program});
     if (with_move) {
@@ -152,18 +135,6 @@ void bore_manual(Course& c, const Demand& demand, const Situation& s) {
     }
     start_spindle(c, t);
     if (with_move) rapid_to_w(c, h.end);
-}
-
-}  // namespace
-
-void canned_bore(Course& c, const Demand& demand, const Situation& s) {
-    switch (demand.kind) {
-        case Kind::canned_bore_stop: return bore_stop(c, demand, s);
-        case Kind::canned_bore_orient: return bore_orient(c, demand, s);
-        case Kind::canned_back_bore: return back_bore(c, demand, s);
-        case Kind::canned_bore_manual: return bore_manual(c, demand, s);
-        default: return bore_feed(c, demand, s);
-    }
 }
 
 }  // namespace obrys::cycles

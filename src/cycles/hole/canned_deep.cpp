@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "cycles/hole/canned.hpp"
+#include "cycles/hole/families.hpp"
 #include "cycles/levels.hpp"
 
 namespace obrys::cycles {
@@ -23,12 +24,8 @@ struct Falling {
     double first = 0, decrement = 0, factor = 1, least = 0;
 };
 
-Falling read_falling(Course& c, const Demand& demand) {
-    Falling f;
-    f.first = c.positive(Role::infeed);
-    f.decrement = c.maybe_at_least(Role::decrement, 0, 0);
-    f.least = c.maybe_at_least(Role::min_infeed, 0, 0);
-    if (demand.find(Role::infeed_factor)) f.factor = c.positive(Role::infeed_factor);
+Falling falling_of(Course& c, const DeepDrilling& d) {
+    const Falling f{d.infeed, d.decrement.value_or(0), d.infeed_factor.value_or(1), d.min_infeed.value_or(0)};
     if (f.factor > 1) c.fault(Role::infeed_factor, "the factor of the infeeds must not be above 1");
     if (f.decrement > 0)
         c.assume("how the infeeds fall to the last ones is not documented: they are run as older manuals say");
@@ -59,41 +56,30 @@ std::vector<double> falling_levels(Course& c, double top, double bottom, const F
     return levels;
 }
 
-struct Ways {
-    bool out = false;                       ///< of the hole after each infeed
-    double distance = 0;                    ///< back, or above the depth reached
-    double dwell = 0, top = 0, bottom = 0;  ///< s
-};
-
-Ways read_ways(Course& c, const Demand& demand) {
-    Ways w;
-    w.out = !demand.find(Role::chip_break_distance);
-    w.distance = c.at_least(w.out ? Role::stop_distance_first : Role::chip_break_distance, 0);
-    w.dwell = c.maybe_at_least(Role::dwell, 0, 0);
-    w.top = c.maybe_at_least(Role::dwell_top, 0, 0);
-    w.bottom = c.maybe_at_least(Role::dwell_bottom, 0, 0);
-    return w;
+/// How far back after each infeed, or above the depth reached.
+double way_back(Course& c, const DeepDrilling& d) {
+    if (d.chip_break_distance) return *d.chip_break_distance;
+    return asked(c, d, &DeepDrilling::stop_distance_first, Must::be_at_least_0);
 }
 
-void between(Course& c, const Hole& h, const Ways& w) {
+void between(Course& c, const Hole& h, const DeepDrilling& d, double distance) {
     const double level = c.at().z;
-    c.dwell(w.dwell);
-    if (w.out) {
+    c.dwell(d.dwell.value_or(0));
+    if (!d.chip_break_distance) {
         rapid_to_w(c, h.retract);
-        c.dwell(w.top);
+        c.dwell(d.dwell_top.value_or(0));
     }
-    rapid_to_w(c, std::min(level + w.distance, h.retract));
+    rapid_to_w(c, std::min(level + distance, h.retract));
 }
 
 }  // namespace
 
-void canned_deep(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    c.need(Role::surface);
-    const double top = top_of(c, h);
-    const Falling falling = read_falling(c, demand);
-    const Ways ways = read_ways(c, demand);
-    const double factor = demand.find(Role::feed_factor) ? c.positive(Role::feed_factor) / 100 : 1;
+void write_steps(Course& c, const DeepDrilling& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    asked(c, d, &DeepDrilling::surface, Must::be_known);
+    const double top = top_of(c, d);
+    const Falling falling = falling_of(c, d);
+    const double distance = way_back(c, d), factor = d.feed_factor.value_or(100) / 100;
     const double feed = factor != 1 ? c.known(s.feed, "the feed rate in mm/min") : 0;
     if (!c.ready()) return;
     const std::vector<double> levels = falling_levels(c, top, h.bottom, falling);
@@ -103,9 +89,9 @@ void canned_deep(Course& c, const Demand& demand, const Situation& s) {
     for (std::size_t i = 0; i < levels.size() && c.room(); ++i) {
         feed_w(c, levels[i]);
         if (i == 0 && factor != 1) c.add(cl::Feed{feed, cl::FeedMode::per_minute});
-        if (i + 1 < levels.size()) between(c, h, ways);
+        if (i + 1 < levels.size()) between(c, h, d, distance);
     }
-    c.dwell(ways.bottom);
+    c.dwell(d.dwell_bottom.value_or(0));
     rapid_to_w(c, h.end);
 }
 

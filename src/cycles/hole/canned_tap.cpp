@@ -21,6 +21,7 @@
 #include <cmath>
 
 #include "cycles/hole/canned.hpp"
+#include "cycles/hole/families.hpp"
 #include "cycles/levels.hpp"
 
 namespace obrys::cycles {
@@ -28,9 +29,9 @@ namespace obrys::cycles {
 namespace {
 
 /// The spindle as the thread wants it before the tool goes in.
-Turning read_tap(Course& c, const Situation& s) {
-    const Turning t = read_turning(c, s);
-    const int starts = c.whole(Role::starts_spindle, 0, 0, 2, "the start of the spindle");
+Turning turning_of_tap(Course& c, const FloatingTapping& d, const Situation& s) {
+    const Turning t = turning_of(c, d.spindle_speed, d.spindle_direction, s);
+    const int starts = c.whole(Role::starts_spindle, d.starts_spindle, 0, 0, 2, "the start of the spindle");
     if (starts == 2 && s.spindle_direction == 0)
         c.assume(
             "the spindle does not turn before the tapping cycle: without rigid tapping (M29) the control wants M3 "
@@ -49,39 +50,9 @@ geom::Vec3 turned(geom::Vec3 p, int how) {
     return how == 1 ? geom::Vec3{p.y, p.z, p.x} : how == 2 ? geom::Vec3{p.z, p.x, p.y} : p;
 }
 
-void floating(Course& c, const Demand& demand, const Situation& s) {
-    const Hole h = read_hole(c, s);
-    const double factor = demand.find(Role::rpm_factor) ? c.positive(Role::rpm_factor) : 1;
-    const Turning in = read_tap(c, s), out{in.speed * factor, -in.direction};
-    const bool faster = factor != 1 && !std::isnan(s.feed);  // per revolution the feed follows by itself
-    for (const Role role : {Role::dwell_bottom, Role::dwell, Role::dwell_top}) c.maybe_at_least(role, 0, 0);
-    const bool whole_way = c.maybe(Role::feed_out, 0) != 0;
-    const int axes = c.whole(Role::turned_axes, 0, 0, 2, "the order of the axes");
-    if (!c.ready()) return;
-    if (axes != 0) c.remark(Role::turned_axes, "the control feeds along the wrong axes when it taps in this plane");
-    const bool pitched = demand.find(Role::pitch).has_value();
-    const double pitch = pitched ? c.positive(Role::pitch) : 0;
-    if (!c.ready()) return;
-    const auto feed_to = [&](double w) { c.straight(turned({h.target.x, h.target.y, w}, axes), false); };
-    approach(c, h);
-    if (s.spindle_direction != in.direction) start_spindle(c, in);
-    if (pitched) c.add(cl::Feed{pitch * in.speed, cl::FeedMode::per_minute});
-    feed_to(h.bottom);
-    dwell_if(c, demand, Role::dwell_bottom);
-    stop_spindle(c, in);
-    start_spindle(c, out);
-    dwell_if(c, demand, Role::dwell);
-    if (faster) c.add(cl::Feed{s.feed * factor, cl::FeedMode::per_minute});
-    feed_to(whole_way ? h.end : h.retract);
-    if (faster) c.add(cl::Feed{s.feed, cl::FeedMode::per_minute});
-    dwell_if(c, demand, Role::dwell_top);
-    stop_spindle(c, in);
-    end_turning(c, demand, in);
-    if (!whole_way) rapid_to_w(c, h.end);
-}
-
-double read_pitch(Course& c, const Demand& demand, const Situation& s, double speed) {
-    if (demand.find(Role::pitch)) return c.positive(Role::pitch);
+/// What is not said follows from feed and speed.
+double pitch_of(Course& c, const Said& pitch, const Situation& s, double speed) {
+    if (pitch) return *pitch;
     const double feed = c.known(s.feed, "the feed rate");
     if (feed <= 0) c.fault("Feed rate is missing", "program a feed rate F");
     if (speed <= 0) c.fault("the spindle speed is 0", "program a speed S");
@@ -94,66 +65,86 @@ struct Rigid {
     double pitch = 0;
     std::vector<double> levels;
     double back = 0, stop = 0;
-    bool restarts = false;
 };
 
-Rigid read_rigid(Course& c, const Demand& demand, const Situation& s) {
+/// Of tapping in steps: how far back, and where the next one begins behind a way out.
+void take_steps(Course& c, const RigidTapping& d, double top, Rigid& r) {
+    const bool said = d.chip_break_distance || d.chip_break_turns || d.stop_distance_first;
+    if (!said) c.assume("how far a tap goes back between its steps is a parameter of the machine: it is taken as 1 mm");
+    r.back = asked_or(c, d, &RigidTapping::chip_break_distance, Must::be_at_least_0, said ? 0 : 1);
+    if (d.chip_break_turns) r.back = asked(c, d, &RigidTapping::chip_break_turns, Must::be_above_0) * std::abs(r.pitch);
+    r.stop = asked_or(c, d, &RigidTapping::stop_distance_first, Must::be_at_least_0, 0);
+    const double infeed = asked(c, d, &RigidTapping::infeed, Must::be_above_0);
+    if (c.ready()) r.levels = levels_of(c, top, r.hole.bottom, {.first = infeed});
+}
+
+Rigid rigid_of(Course& c, const RigidTapping& d, const Situation& s) {
     Rigid r;
-    r.hole = read_hole(c, s);
-    r.in = read_turning(c, s);
-    r.pitch = r.in.direction * read_pitch(c, demand, s, r.in.speed);
-    const double factor = demand.find(Role::rpm_factor) ? c.positive(Role::rpm_factor) : 1;
-    r.out = {r.in.speed * factor, -r.in.direction};
-    for (const Role role : {Role::dwell_bottom, Role::dwell}) c.maybe_at_least(role, 0, 0);
-    const double top = top_of(c, r.hole);
-    r.restarts = s.spindle_direction != 0 && !demand.find(Role::spindle_direction);
-    if (demand.get(Role::infeed, 0) != 0) {
-        const bool said = demand.find(Role::chip_break_distance) || demand.find(Role::chip_break_turns) ||
-                          demand.find(Role::stop_distance_first);
-        if (!said)
-            c.assume("how far a tap goes back between its steps is a parameter of the machine: it is taken as 1 mm");
-        r.back = c.maybe_at_least(Role::chip_break_distance, 0, said ? 0 : 1);
-        if (demand.find(Role::chip_break_turns)) r.back = c.positive(Role::chip_break_turns) * std::abs(r.pitch);
-        r.stop = c.maybe_at_least(Role::stop_distance_first, 0, 0);
-        const Infeeds infeeds = read_infeeds(c, false);
-        if (c.ready()) r.levels = levels_of(c, top, r.hole.bottom, infeeds);
-    }
+    r.hole = hole_of(c, d, s);
+    r.in = turning_of(c, d.spindle_speed, d.spindle_direction, s);
+    r.pitch = r.in.direction * pitch_of(c, d.pitch, s, r.in.speed);
+    r.out = {r.in.speed * d.rpm_factor.value_or(1), -r.in.direction};
+    const double top = top_of(c, d);
+    if (d.infeed.value_or(0) != 0) take_steps(c, d, top, r);
     if (r.levels.empty()) r.levels.push_back(r.hole.bottom);
     return r;
 }
 
 /// Out after an infeed and in again to where the next one begins.
-void break_chip(Course& c, const Demand& demand, const Rigid& r, double level) {
-    dwell_if(c, demand, Role::dwell);
+void break_chip(Course& c, const RigidTapping& d, const Rigid& r, double level) {
+    dwell_if(c, d.dwell);
     start_spindle(c, r.out);
     c.thread_w(r.back > 0 ? std::min(level + r.back, r.hole.retract) : r.hole.retract, r.pitch, true);
     start_spindle(c, r.in);
     if (r.back <= 0) c.thread_w(std::min(level + r.stop, r.hole.retract), r.pitch, true);
 }
 
-void rigid(Course& c, const Demand& demand, const Situation& s) {
-    const Rigid r = read_rigid(c, demand, s);
+}  // namespace
+
+void write_steps(Course& c, const FloatingTapping& d, const Situation& s) {
+    const Hole h = hole_of(c, d, s);
+    const double factor = d.rpm_factor.value_or(1);
+    const Turning in = turning_of_tap(c, d, s), out{in.speed * factor, -in.direction};
+    const bool faster = factor != 1 && !std::isnan(s.feed);  // per revolution the feed follows by itself
+    const bool whole_way = d.feed_out.value_or(0) != 0;
+    const int axes = c.whole(Role::turned_axes, d.turned_axes, 0, 0, 2, "the order of the axes");
+    if (!c.ready()) return;
+    if (axes != 0) c.remark(Role::turned_axes, "the control feeds along the wrong axes when it taps in this plane");
+    const auto feed_to = [&](double w) { c.straight(turned({h.target.x, h.target.y, w}, axes), false); };
+    approach(c, h);
+    if (s.spindle_direction != in.direction) start_spindle(c, in);
+    if (d.pitch) c.add(cl::Feed{*d.pitch * in.speed, cl::FeedMode::per_minute});
+    feed_to(h.bottom);
+    dwell_if(c, d.dwell_bottom);
+    stop_spindle(c, in);
+    start_spindle(c, out);
+    dwell_if(c, d.dwell);
+    if (faster) c.add(cl::Feed{s.feed * factor, cl::FeedMode::per_minute});
+    feed_to(whole_way ? h.end : h.retract);
+    if (faster) c.add(cl::Feed{s.feed, cl::FeedMode::per_minute});
+    dwell_if(c, d.dwell_top);
+    stop_spindle(c, in);
+    end_turning(c, d.spindle_after, in);
+    if (!whole_way) rapid_to_w(c, h.end);
+}
+
+void write_steps(Course& c, const RigidTapping& d, const Situation& s) {
+    const Rigid r = rigid_of(c, d, s);
     if (!c.ready()) return;
     approach(c, r.hole);
     start_spindle(c, r.in);
     for (std::size_t i = 0; i < r.levels.size() && c.room(); ++i) {
         c.thread_w(r.levels[i], r.pitch, true);
-        if (i + 1 < r.levels.size()) break_chip(c, demand, r, r.levels[i]);
+        if (i + 1 < r.levels.size()) break_chip(c, d, r, r.levels[i]);
     }
-    dwell_if(c, demand, Role::dwell_bottom);
-    dwell_if(c, demand, Role::dwell);
+    dwell_if(c, d.dwell_bottom);
+    dwell_if(c, d.dwell);
     start_spindle(c, r.out);
     c.thread_w(r.hole.retract, r.pitch, true);
     stop_spindle(c, r.in);
-    if (r.restarts || demand.find(Role::spindle_after)) end_turning(c, demand, r.in);
+    const bool restarts = s.spindle_direction != 0 && !d.spindle_direction;
+    if (restarts || d.spindle_after) end_turning(c, d.spindle_after, r.in);
     rapid_to_w(c, r.hole.end);
-}
-
-}  // namespace
-
-void canned_tap(Course& c, const Demand& demand, const Situation& situation) {
-    if (demand.kind == cl::CycleKind::canned_tap_rigid) return rigid(c, demand, situation);
-    floating(c, demand, situation);
 }
 
 }  // namespace obrys::cycles

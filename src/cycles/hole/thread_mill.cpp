@@ -34,8 +34,8 @@ struct Job {
 };
 
 /// Climb is counter-clockwise inside and clockwise outside, both with M3, as the parameter says.
-double sense_of(Course& c, bool outside) {
-    const double way = c.maybe(Role::direction, 1) < 0 ? -1 : 1;
+double sense_of(const MilledThread& d, bool outside) {
+    const double way = d.direction.value_or(1) < 0 ? -1 : 1;
     return outside ? -way : way;
 }
 
@@ -52,33 +52,29 @@ void place_start(Course& c, Job& j, double tool_radius, double diameter, bool ou
     }
 }
 
-Job read_job(Course& c, const Situation& s, bool outside) {
+Job job_of(Course& c, const MilledThread& d, const Situation& s, bool outside) {
     Job j;
-    j.surface = c.need(Role::surface);
-    const double clearance = c.at_least(Role::clearance, 0);
-    j.clearance = j.surface + clearance;
-    j.end = j.surface + std::max(clearance, c.maybe_at_least(Role::second_clearance, 0, 0));
-    j.depth = c.need(Role::depth);
-    if (j.depth > 0) c.fault(Role::depth, "Enter depth as a negative value");
-    j.pitch = c.need(Role::pitch);
-    if (j.pitch == 0) c.fault(Role::pitch, "the thread pitch must not be 0");
-    const double diameter = c.positive(Role::diameter);
+    j.surface = d.surface;
+    j.clearance = d.surface + d.clearance;
+    j.end = d.surface + std::max(d.clearance, d.second_clearance.value_or(0));
+    j.depth = d.depth;
+    j.pitch = d.pitch;
     const double tool = c.tool_radius(s);
-    j.radius = diameter / 2 + (outside ? tool : -tool);
+    j.radius = d.diameter / 2 + (outside ? tool : -tool);
     if (j.radius <= 1e-9) c.fault(Role::diameter, "tool radius too large: the thread is smaller than the tool");
-    j.sense = sense_of(c, outside);
-    const double per_step = c.maybe_at_least(Role::threads_per_step, 0, 0);
+    j.sense = sense_of(d, outside);
+    const double per_step = d.threads_per_step.value_or(0);
     if (const auto n = base::whole<int>(per_step, 0, 1000))
         j.threads_per_step = *n;
     else if (!std::isnan(per_step))
         c.fault(Role::threads_per_step, "threads per step must be a whole number of at most 1000");
-    j.feed = c.feed(Role::feed_mill);
-    j.positioning = c.feed(Role::feed_position);
-    j.approach = c.feed_or(Role::feed_approach, j.feed);
+    j.feed = d.feed_mill;
+    j.positioning = d.feed_position;
+    j.approach = unless_0(d.feed_approach, j.feed);
     if (std::abs(j.depth / j.pitch) > most_helix_turns)
         c.fault(Role::pitch, "the thread has too many turns for its pitch");
     j.axis = {s.at.x, s.at.y};
-    if (c.ready()) place_start(c, j, tool, diameter, outside);
+    if (c.ready()) place_start(c, j, tool, d.diameter, outside);
     return j;
 }
 
@@ -125,14 +121,14 @@ struct Front {
     double depth = 0, offset = 0, feed = 0;
 };
 
-/// `otherwise`: the parameter that holds the feed where the cycle has none for countersinking.
-Front read_front(Course& c, Role otherwise = Role::feed_countersink) {
+/// `feed`: the member that holds the feed of it.
+template <class Cycle, class Part>
+Front front_of(Course& c, const Cycle& d, Said Part::*feed) {
     Front f;
-    f.depth = c.maybe(Role::front_depth, 0);
-    if (f.depth > 0) c.fault(Role::front_depth, "Enter depth as a negative value");
+    f.depth = d.front_depth.value_or(0);
     if (f.depth == 0) return f;
-    f.offset = c.at_least(Role::front_offset, 0);
-    f.feed = c.feed(otherwise);
+    f.offset = asked(c, d, &Cycle::front_offset, Must::be_at_least_0);
+    f.feed = asked(c, d, feed, Must::be_feed);
     return f;
 }
 
@@ -154,8 +150,32 @@ void retract(Course& c, const Job& j) {
     c.rapid_w(j.end);
 }
 
-void inside(Course& c, const Situation& s) {
-    const Job j = read_job(c, s, false);
+/// Drilling before the thread.
+struct ThreadHole {
+    Pecking pecking;
+    std::vector<double> levels;
+};
+
+ThreadHole hole_of(Course& c, const DrilledThreadMilling& d, const Job& j) {
+    using Cycle = DrilledThreadMilling;
+    ThreadHole h{{.top = j.surface, .retract_to = j.clearance}, {}};
+    const double depth = d.hole_depth.value_or(0);
+    if (!(depth < 0)) return h;
+    const double infeed = asked(c, d, &Cycle::infeed, Must::be_above_0);
+    Pecking& p = h.pecking;
+    p.first_stop = p.last_stop = asked_or(c, d, &Cycle::stop_distance_first, Must::be_at_least_0, 0);
+    p.break_every = asked_or(c, d, &Cycle::chip_break_depth, Must::be_at_least_0, 0);
+    check_breaks(c, p.break_every, -depth);
+    p.break_distance = asked_or(c, d, &Cycle::chip_break_distance, Must::be_at_least_0, 0);
+    p.feed = asked(c, d, &Cycle::feed_plunge, Must::be_feed);
+    if (c.ready()) h.levels = levels_of(c, j.surface, j.surface + depth, {.first = infeed});
+    return h;
+}
+
+}  // namespace
+
+void write_steps(Course& c, const ThreadMilling& d, const Situation& s) {
+    const Job j = job_of(c, d, s, false);
     if (j.depth == 0) return c.not_executed(Role::depth);
     if (!c.ready()) return;
     c.rapid_w(j.clearance);
@@ -163,13 +183,11 @@ void inside(Course& c, const Situation& s) {
     retract(c, j);
 }
 
-void with_countersink(Course& c, const Situation& s) {
-    Job j = read_job(c, s, false);
+void write_steps(Course& c, const CountersunkThreadMilling& d, const Situation& s) {
+    Job j = job_of(c, d, s, false);
     j.threads_per_step = 0;
-    const double depth = c.maybe(Role::countersink_depth, 0);
-    if (depth > 0) c.fault(Role::countersink_depth, "Enter depth as a negative value");
-    const Front front = read_front(c);
-    if (depth < 0)
+    const Front front = front_of(c, d, &CountersunkThreadMilling::feed_countersink);
+    if (d.countersink_depth.value_or(0) < 0)
         c.not_simulated("countersinking along the core diameter is not simulated",
                         "the core diameter that the control takes is not documented");
     if (!c.ready()) return;
@@ -179,25 +197,14 @@ void with_countersink(Course& c, const Situation& s) {
     retract(c, j);
 }
 
-void with_drilling(Course& c, const Situation& s) {
-    Job j = read_job(c, s, false);
+void write_steps(Course& c, const DrilledThreadMilling& d, const Situation& s) {
+    Job j = job_of(c, d, s, false);
     j.threads_per_step = 0;
-    const Front front = read_front(c, Role::feed_plunge);
-    const double depth = c.maybe(Role::hole_depth, 0);
-    if (depth > 0) c.fault(Role::hole_depth, "Enter depth as a negative value");
-    Pecking p{.top = j.surface, .retract_to = j.clearance};
-    std::vector<double> levels;
-    if (depth < 0) {
-        const Infeeds infeeds = read_infeeds(c, false);
-        p.first_stop = p.last_stop = c.maybe_at_least(Role::stop_distance_first, 0, 0);
-        p.break_every = read_break_depth(c, -depth);
-        p.break_distance = c.maybe_at_least(Role::chip_break_distance, 0, 0);
-        p.feed = c.feed(Role::feed_plunge);
-        if (c.ready()) levels = levels_of(c, j.surface, j.surface + depth, infeeds);
-    }
+    const Front front = front_of(c, d, &DrilledThreadMilling::feed_plunge);
+    const ThreadHole hole = hole_of(c, d, j);
     if (!c.ready()) return;
     c.rapid_w(j.clearance);
-    peck_down(c, levels, p);
+    peck_down(c, hole.levels, hole.pecking);
     c.rapid_w(j.clearance);
     countersink_front(c, j, front);
     mill_thread(c, j);
@@ -205,12 +212,12 @@ void with_drilling(Course& c, const Situation& s) {
 }
 
 /// Continuous helix from the surface down to the depth; the hand decides the sense.
-void helix_down(Course& c, const Situation& s) {
-    Job j = read_job(c, s, false);
+void write_steps(Course& c, const HelicalThreadMilling& d, const Situation& s) {
+    Job j = job_of(c, d, s, false);
     j.threads_per_step = 1;
     j.sense = j.pitch > 0 ? -1 : 1;
-    const Front front = read_front(c);
-    const bool after = c.maybe(Role::countersink_order, 0) != 0;
+    const Front front = front_of(c, d, &HelicalThreadMilling::feed_countersink);
+    const bool after = d.countersink_order.value_or(0) != 0;
     if (!c.ready()) return;
     c.rapid_w(j.clearance);
     if (!after) countersink_front(c, j, front);
@@ -222,27 +229,15 @@ void helix_down(Course& c, const Situation& s) {
     retract(c, j);
 }
 
-void outside(Course& c, const Situation& s) {
-    const Job j = read_job(c, s, true);
-    const Front front = read_front(c);
+void write_steps(Course& c, const OutsideThreadMilling& d, const Situation& s) {
+    const Job j = job_of(c, d, s, true);
+    const Front front = front_of(c, d, &OutsideThreadMilling::feed_countersink);
     if (!c.ready()) return;
     c.rapid_w(j.clearance);
     to_start(c, j);
     countersink_front(c, j, front);
     mill_thread(c, j);
     retract(c, j);
-}
-
-}  // namespace
-
-void expand_thread_mill(Course& c, const Demand& demand, const Situation& situation) {
-    switch (demand.kind) {
-        case Kind::thread_mill_countersink: return with_countersink(c, situation);
-        case Kind::thread_mill_drill: return with_drilling(c, situation);
-        case Kind::thread_mill_helix: return helix_down(c, situation);
-        case Kind::thread_mill_outside: return outside(c, situation);
-        default: return inside(c, situation);
-    }
 }
 
 }  // namespace obrys::cycles

@@ -1,50 +1,37 @@
 #include "cycles/mill/mill.hpp"
 
+#include <algorithm>
+
 #include "cycles/mill/families.hpp"
 
 namespace obrys::cycles {
 
 namespace {
 
-Family mill_family_of(Kind kind) {
-    switch (kind) {
-        case Kind::rectangular_pocket:
-        case Kind::circular_pocket:
-        case Kind::rectangular_pocket_simple:
-        case Kind::circular_pocket_simple: return expand_pocket;
-        case Kind::slot:
-        case Kind::round_slot:
-        case Kind::slot_reciprocating:
-        case Kind::round_slot_reciprocating: return expand_slot;
-        case Kind::rectangular_stud:
-        case Kind::circular_stud: return expand_stud;
-        case Kind::rectangular_pocket_finish:
-        case Kind::rectangular_stud_finish:
-        case Kind::circular_pocket_finish:
-        case Kind::circular_stud_finish: return expand_finish;
-        case Kind::multipass:
-        case Kind::ruled_surface:
-        case Kind::face_mill: return expand_surface;
-        default: return nullptr;
-    }
-}
+constexpr auto kinds = kind_table<RectangularPocket, CircularPocket, OldRectangularPocket, OldCircularPocket, Slot,
+                                  RoundSlot, ReciprocatingSlot, ReciprocatingRoundSlot, RectangularStud, CircularStud,
+                                  RectangularPocketFinishing, RectangularStudFinishing, CircularPocketFinishing,
+                                  CircularStudFinishing, Multipass, RuledSurface, FaceMilling>();
 
-/// Where the tool stands in the plane does not matter: the cycle says its place itself, and goes there first.
-bool goes_by_itself(const Demand& demand, Family family) {
-    if (family == &expand_surface) return true;
-    const bool bent = demand.kind == Kind::round_slot && demand.get(cl::CycleRole::position, 0) == 0;
-    const bool at_centre = bent || family == &expand_finish || demand.kind == Kind::slot_reciprocating ||
-                           demand.kind == Kind::round_slot_reciprocating;
-    return at_centre && demand.find(cl::CycleRole::centre_u) && demand.find(cl::CycleRole::centre_v);
+const KindRow& row_of(Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
+
+/// Where the tool stands in the plane does not matter: the cycle says its place itself, and goes there first. A slot
+/// that has a centre and a position has that of the centre at position 0 alone.
+bool goes_by_itself(const KindRow& row, const Demand& demand) {
+    const bool has_centre = std::find(row.roles.begin(), row.roles.end(), Role::centre_u) != row.roles.end();
+    if (!row.anywhere || !has_centre) return row.anywhere;
+    return demand.get(Role::position, 0) == 0 && demand.find(Role::centre_u) && demand.find(Role::centre_v);
 }
 
 }  // namespace
 
-bool is_mill_cycle(Kind kind) { return mill_family_of(kind) != nullptr; }
+bool is_mill_cycle(Kind kind) { return row_of(kind).family != nullptr; }
+
+std::span<const Role> roles_of_mill(Kind kind) { return row_of(kind).roles; }
 
 Expansion expand_mill(const Demand& demand, const Situation& situation) {
-    const Family family = mill_family_of(demand.kind);
-    return expand_by(family, demand, situation, goes_by_itself(demand, family));
+    const KindRow& row = row_of(demand.kind);
+    return expand_by(row.family, demand, situation, goes_by_itself(row, demand));
 }
 
 }  // namespace obrys::cycles

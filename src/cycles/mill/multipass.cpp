@@ -21,63 +21,10 @@ constexpr int most_surface_passes = 20'000;
 double sign(double value) { return value < 0 ? -1 : 1; }
 
 /// A whole number of cuts from 1 on.
-int read_cuts(Course& c) {
-    const double cuts = c.need(Role::passes);
+int cuts_of(Course& c, double cuts) {
     if (cuts < 1 || cuts > most_surface_passes || (std::isfinite(cuts) && cuts != std::floor(cuts)))
         c.fault(Role::passes, "the number of cuts must be a whole number from 1 on");
     return c.ready() ? base::clipped<int>(cuts, 0, most_surface_passes) : 0;
-}
-
-void multipass(Course& c, const Situation& s) {
-    const Vec3 start{c.need(Role::start_u), c.need(Role::start_v), c.need(Role::start_w)};
-    const double length = c.need(Role::length), width = c.need(Role::width);
-    const double plunge = c.feed(Role::feed_plunge), mill = c.feed(Role::feed_mill),
-                 step_feed = c.feed(Role::feed_step);
-    const double clearance = c.at_least(Role::clearance, 0);
-    const double r = c.tool_radius(s);
-    c.known(s.at.z, "the tool's height");
-    const int cuts = read_cuts(c);
-    if (!c.ready()) return;
-    c.assume("the passes across the width: equal steps from edge to edge of the surface");
-    const double above = start.z + clearance, su = sign(length), sv = sign(width);
-    const double near = start.x - su * r, far = start.x + length + su * r;
-    // The tool's edge lies on the surface's edge in the first and in the last pass.
-    const double across = std::abs(width) > 2 * r && cuts > 1 ? (width - sv * 2 * r) / (cuts - 1) : 0;
-    const auto pass_v = [&](int i) { return start.y + sv * r + i * across; };
-    c.rapid_w(std::max(above, s.at.z));
-    c.rapid({near, pass_v(0), c.at().z});
-    c.rapid_w(above);
-    c.move_w(start.z, plunge);
-    for (int i = 0; i < cuts; ++i) {
-        if (i > 0) c.move({c.at().x, pass_v(i), start.z}, step_feed);
-        c.move({i % 2 == 0 ? far : near, c.at().y, start.z}, mill);
-    }
-    c.rapid_w(above);
-}
-
-void ruled_surface(Course& c, const Situation& s) {
-    const Vec3 p1{c.need(Role::start_u), c.need(Role::start_v), c.need(Role::start_w)};
-    const Vec3 p2{c.need(Role::second_u), c.need(Role::second_v), c.need(Role::second_w)};
-    const Vec3 p3{c.need(Role::third_u), c.need(Role::third_v), c.need(Role::third_w)};
-    const Vec3 p4{c.need(Role::fourth_u), c.need(Role::fourth_v), c.need(Role::fourth_w)};
-    const double mill = c.feed(Role::feed_mill);
-    const double diameter = 2 * c.tool_radius(s);
-    c.known(s.at.z, "the tool's height");
-    const int cuts = read_cuts(c);
-    if (!c.ready()) return;
-    const double highest = std::max({p1.z, p2.z, p3.z, p4.z});
-    c.move(p1, mill);
-    for (int i = 0; i < cuts; ++i) {
-        const double t = cuts > 1 ? double(i) / (cuts - 1) : 0;
-        const Vec3 from = p1 + t * (p4 - p1), to = p2 + t * (p3 - p2);
-        c.move(from, mill);
-        c.move(to, i == 0 && std::isfinite(mill) ? mill / 2 : mill);  // the first pass at half the feed
-        if (i + 1 == cuts) break;
-        c.rapid_w(std::max(to.z, from.z) + diameter);
-        c.rapid({from.x, from.y, c.at().z});
-        c.rapid(from);
-    }
-    c.rapid_w(highest + diameter);
 }
 
 struct Face {
@@ -103,8 +50,7 @@ struct Face {
     }
 };
 
-void read_passes(Course& c, Face& f, double corner_radius) {
-    const double overlap = c.positive(Role::overlap);
+void take_passes(Course& c, Face& f, double overlap, double corner_radius) {
     if (overlap >= 2) c.fault(Role::overlap, "the path overlap factor must be below 2");
     const double flat = f.radius - corner_radius;
     if (flat <= 0) c.fault("face milling needs a tool with a flat front");
@@ -113,30 +59,30 @@ void read_passes(Course& c, Face& f, double corner_radius) {
     if (c.ready()) f.passes = base::clipped<int>(passes, 1, most_surface_passes);
 }
 
-Face read_face(Course& c, const Situation& s) {
+Face face_of(Course& c, const FaceMilling& d, const Situation& s) {
     Face f;
-    f.start = {c.need(Role::start_u), c.need(Role::start_v), c.need(Role::start_w)};
-    f.length = c.need(Role::length);
-    f.width = c.need(Role::width);
-    f.floor = c.need(Role::end_surface);
-    const double allowance = c.maybe_at_least(Role::allowance_floor, 0, 0);
+    f.start = {d.start_u, d.start_v, d.start_w};
+    f.length = d.length;
+    f.width = d.width;
+    f.floor = d.end_surface;
+    const double allowance = d.allowance_floor.value_or(0);
     f.rough = f.floor + allowance;
-    f.infeed = c.positive(Role::infeed);
-    f.feed = c.feed(Role::feed_mill);
-    f.finish = allowance > 0 ? c.feed(Role::feed_finish) : f.feed;
-    f.positioning = c.feed(Role::feed_position);
-    f.clearance = c.at_least(Role::clearance, 0);
-    f.second = f.start.z + std::max(f.clearance, c.maybe_at_least(Role::second_clearance, 0, 0));
-    f.side = c.maybe_at_least(Role::side_clearance, 0, 0);
-    const double strategy = c.need(Role::strategy);
-    if (strategy != 0 && strategy != 1 && strategy != 2) c.fault(Role::strategy, "the strategy must be 0, 1 or 2");
+    f.infeed = d.infeed;
+    f.feed = d.feed_mill;
+    f.finish = allowance > 0 ? asked(c, d, &FaceMilling::feed_finish, Must::be_feed) : f.feed;
+    f.positioning = d.feed_position;
+    f.clearance = d.clearance;
+    f.second = f.start.z + std::max(f.clearance, d.second_clearance.value_or(0));
+    f.side = d.side_clearance.value_or(0);
+    if (d.strategy != 0 && d.strategy != 1 && d.strategy != 2)
+        c.fault(Role::strategy, "the strategy must be 0, 1 or 2");
     f.radius = c.tool_radius(s);
     c.known(s.at.z, "the tool's height");
     const double corner = c.known(s.tool_corner_radius, "the tool's corner radius");
     if (f.start.z < f.floor) c.fault(Role::end_surface, "the end point lies above the starting point in the tool axis");
     if (f.start.z == f.floor) c.not_executed(Role::end_surface);
-    if (c.ready()) f.strategy = base::clipped<int>(strategy, 0, 2);
-    if (c.ready()) read_passes(c, f, corner);
+    if (c.ready()) f.strategy = base::clipped<int>(d.strategy, 0, 2);
+    if (c.ready()) take_passes(c, f, d.overlap, corner);
     return f;
 }
 
@@ -178,8 +124,55 @@ void one_way(Course& c, const Face& f, double w, double feed) {
     }
 }
 
-void face_mill(Course& c, const Situation& s) {
-    const Face f = read_face(c, s);
+}  // namespace
+
+void write_steps(Course& c, const Multipass& d, const Situation& s) {
+    const Vec3 start{d.start_u, d.start_v, d.start_w};
+    const double length = d.length, width = d.width, r = c.tool_radius(s);
+    c.known(s.at.z, "the tool's height");
+    const int cuts = cuts_of(c, d.passes);
+    if (!c.ready()) return;
+    c.assume("the passes across the width: equal steps from edge to edge of the surface");
+    const double above = start.z + d.clearance, su = sign(length), sv = sign(width);
+    const double near = start.x - su * r, far = start.x + length + su * r;
+    // The tool's edge lies on the surface's edge in the first and in the last pass.
+    const double across = std::abs(width) > 2 * r && cuts > 1 ? (width - sv * 2 * r) / (cuts - 1) : 0;
+    const auto pass_v = [&](int i) { return start.y + sv * r + i * across; };
+    c.rapid_w(std::max(above, s.at.z));
+    c.rapid({near, pass_v(0), c.at().z});
+    c.rapid_w(above);
+    c.move_w(start.z, d.feed_plunge);
+    for (int i = 0; i < cuts; ++i) {
+        if (i > 0) c.move({c.at().x, pass_v(i), start.z}, d.feed_step);
+        c.move({i % 2 == 0 ? far : near, c.at().y, start.z}, d.feed_mill);
+    }
+    c.rapid_w(above);
+}
+
+void write_steps(Course& c, const RuledSurface& d, const Situation& s) {
+    const Vec3 p1{d.start_u, d.start_v, d.start_w}, p2{d.second_u, d.second_v, d.second_w};
+    const Vec3 p3{d.third_u, d.third_v, d.third_w}, p4{d.fourth_u, d.fourth_v, d.fourth_w};
+    const double mill = d.feed_mill, diameter = 2 * c.tool_radius(s);
+    c.known(s.at.z, "the tool's height");
+    const int cuts = cuts_of(c, d.passes);
+    if (!c.ready()) return;
+    const double highest = std::max({p1.z, p2.z, p3.z, p4.z});
+    c.move(p1, mill);
+    for (int i = 0; i < cuts; ++i) {
+        const double t = cuts > 1 ? double(i) / (cuts - 1) : 0;
+        const Vec3 from = p1 + t * (p4 - p1), to = p2 + t * (p3 - p2);
+        c.move(from, mill);
+        c.move(to, i == 0 && std::isfinite(mill) ? mill / 2 : mill);  // the first pass at half the feed
+        if (i + 1 == cuts) break;
+        c.rapid_w(std::max(to.z, from.z) + diameter);
+        c.rapid({from.x, from.y, c.at().z});
+        c.rapid(from);
+    }
+    c.rapid_w(highest + diameter);
+}
+
+void write_steps(Course& c, const FaceMilling& d, const Situation& s) {
+    const Face f = face_of(c, d, s);
     if (!c.ready()) return;
     const auto levels = face_levels(c, f);
     if (!c.ready()) return;
@@ -199,16 +192,6 @@ void face_mill(Course& c, const Situation& s) {
         backwards = !backwards;
     }
     c.rapid_w(f.second);
-}
-
-}  // namespace
-
-void expand_surface(Course& c, const Demand& demand, const Situation& situation) {
-    switch (demand.kind) {
-        case Kind::ruled_surface: return ruled_surface(c, situation);
-        case Kind::face_mill: return face_mill(c, situation);
-        default: return multipass(c, situation);
-    }
 }
 
 }  // namespace obrys::cycles

@@ -29,45 +29,26 @@ Vec2 centre_from_corner(int position, double length, double width) {
     }
 }
 
-double read_corner(Course& c, double length, double width) {
-    const double corner = c.maybe_at_least(Role::corner_radius, 0, 0);
+double corner_of(Course& c, const Said& said, double length, double width) {
+    const double corner = said.value_or(0);
     if (corner > std::min(length, width) / 2 + 1e-9)
         c.fault(Role::corner_radius, "the corner radius is larger than half the pocket's side");
     return std::min(corner, std::min(length, width) / 2);
 }
 
-void rectangular(Course& c, const Situation& s) {
-    const PocketData p = read_pocket(c, s, true);
-    const double length = c.positive(Role::length), width = c.positive(Role::width);
-    const double corner = read_corner(c, length, width);
-    if (!c.ready()) return;
-    c.assume(rings);
-    const Vec2 centre = centre_from_corner(p.position, length, width);
-    mill_pocket(c, p, {{{geom::moved(rectangle(length, width, corner), centre)}}, {p.rotation, p.called}, centre});
-}
-
-void circular(Course& c, const Situation& s) {
-    const PocketData p = read_pocket(c, s, true);
-    const double diameter = c.positive(Role::diameter);
-    if (!c.ready()) return;
-    c.assume(rings);
-    mill_pocket(c, p, {{{disc(diameter / 2)}}, {0, p.called}, {}});
-}
-
 /// Old forms: the tool stands above the centre at the set-up clearance, to which it returns; depths and clearances may
 /// be written with either sign. The stepover is the tool's radius times a machine parameter (MP7430), taken as 1.
-PocketData read_simple(Course& c, const Situation& s) {
+PocketData old_data(Course& c, const OldPocket& d, const Situation& s) {
     PocketData p;
     p.h.end = p.h.clearance = c.known(s.at.z, "the tool's height");
-    p.lift = std::abs(c.need(Role::clearance));
+    p.lift = std::abs(d.clearance);
     p.h.surface = p.h.clearance - p.lift;
-    p.h.bottom = p.h.surface + c.depth();
+    p.h.bottom = p.h.surface + d.depth;
     p.radius = milling_radius(c, s);
-    p.infeed = std::abs(c.need(Role::infeed));
-    if (p.infeed == 0) c.fault(Role::infeed, "the plunging depth must not be 0");
-    p.plunge = c.feed(Role::feed_plunge);
-    p.mill = c.feed(Role::feed_mill);
-    p.climb = c.maybe(Role::direction, 1) >= 0;
+    p.infeed = std::abs(d.infeed);
+    p.plunge = d.feed_plunge;
+    p.mill = d.feed_mill;
+    p.climb = d.direction.value_or(1) >= 0;
     p.stepover = p.radius;
     p.operation = 1;
     p.descent.feed = p.plunge;
@@ -78,35 +59,43 @@ PocketData read_simple(Course& c, const Situation& s) {
     return p;
 }
 
-void rectangular_simple(Course& c, const Demand& d, const Situation& s) {
-    const PocketData p = read_simple(c, s);
+}  // namespace
+
+void write_steps(Course& c, const RectangularPocket& d, const Situation& s) {
+    const PocketData p = pocket_data(c, d, s);
+    const double corner = corner_of(c, d.corner_radius, d.length, d.width);
+    if (!c.ready()) return;
+    c.assume(rings);
+    const Vec2 centre = centre_from_corner(p.position, d.length, d.width);
+    mill_pocket(c, p, {{{geom::moved(rectangle(d.length, d.width, corner), centre)}}, {p.rotation, p.called}, centre});
+}
+
+void write_steps(Course& c, const CircularPocket& d, const Situation& s) {
+    const PocketData p = pocket_data(c, d, s);
+    if (!c.ready()) return;
+    c.assume(rings);
+    mill_pocket(c, p, {{{disc(d.diameter / 2)}}, {0, p.called}, {}});
+}
+
+void write_steps(Course& c, const OldRectangularPocket& d, const Situation& s) {
+    using Cycle = OldRectangularPocket;
+    const PocketData p = old_data(c, d, s);
     // The sides are named by axes; the working plane is X Y, Y Z or Z X.
-    const bool x = d.find(Role::axis_x).has_value(), y = d.find(Role::axis_y).has_value();
-    const Role first = x && y ? Role::axis_x : y ? Role::axis_y : Role::axis_z;
-    const Role second = x && y ? Role::axis_y : y ? Role::axis_z : Role::axis_x;
-    const double length = std::abs(c.need(first)), width = std::abs(c.need(second));
+    const bool x = d.axis_x.has_value(), y = d.axis_y.has_value();
+    const auto first = x && y ? &Cycle::axis_x : y ? &Cycle::axis_y : &Cycle::axis_z;
+    const auto second = x && y ? &Cycle::axis_y : y ? &Cycle::axis_z : &Cycle::axis_x;
+    const double length = std::abs(asked(c, d, first, Must::be_known));
+    const double width = std::abs(asked(c, d, second, Must::be_known));
     if (length == 0 || width == 0) c.fault("the sides of the pocket must not be 0");
-    const double corner = read_corner(c, length, width);
+    const double corner = corner_of(c, d.corner_radius, length, width);
     if (!c.ready()) return;
     mill_pocket(c, p, {{{rectangle(length, width, corner)}}, {0, p.called}, {}});
 }
 
-void circular_simple(Course& c, const Situation& s) {
-    const PocketData p = read_simple(c, s);
-    const double radius = c.positive(Role::radius);
+void write_steps(Course& c, const OldCircularPocket& d, const Situation& s) {
+    const PocketData p = old_data(c, d, s);
     if (!c.ready()) return;
-    mill_pocket(c, p, {{{disc(radius)}}, {0, p.called}, {}});
-}
-
-}  // namespace
-
-void expand_pocket(Course& c, const Demand& d, const Situation& s) {
-    switch (d.kind) {
-        case Kind::rectangular_pocket: return rectangular(c, s);
-        case Kind::circular_pocket: return circular(c, s);
-        case Kind::rectangular_pocket_simple: return rectangular_simple(c, d, s);
-        default: return circular_simple(c, s);
-    }
+    mill_pocket(c, p, {{{disc(d.radius)}}, {0, p.called}, {}});
 }
 
 }  // namespace obrys::cycles

@@ -22,29 +22,29 @@ constexpr double no_room = 1e-6;
 
 }  // namespace
 
-PocketData read_pocket(Course& c, const Situation& s, bool with_overlap) {
+PocketData pocket_data(Course& c, const MilledFigure& d, const Situation& s) {
     PocketData p;
-    p.h = read_heights(c);
+    p.h = heights_of(d);
     p.lift = p.h.clearance - p.h.surface;
     p.radius = milling_radius(c, s);
     p.called = {s.at.x, s.at.y};
     c.known(s.at.z, "the tool's height");
-    p.operation = c.whole(Role::operation, 0, 0, 2, "the machining operation");
-    p.position = c.whole(Role::position, 0, 0, 4, "the position");
-    p.side = c.maybe_at_least(Role::allowance_side, 0, 0);
-    p.floor = c.maybe_at_least(Role::allowance_floor, 0, 0);
-    p.infeed = c.positive(Role::infeed);
-    p.finish_infeed = c.maybe_at_least(Role::finish_infeed, 0, 0);
-    p.mill = c.feed(Role::feed_mill);
-    p.plunge = c.feed(Role::feed_plunge);
-    p.finish = c.feed_or(Role::feed_finish, p.mill);
-    p.climb = c.maybe(Role::direction, 1) >= 0;
-    p.rotation = geom::radians(c.maybe(Role::rotation, 0));
-    const double overlap = with_overlap ? c.maybe(Role::overlap, 1) : 1;
+    p.operation = c.whole(Role::operation, d.operation, 0, 0, 2, "the machining operation");
+    p.position = c.whole(Role::position, d.position, 0, 0, 4, "the position");
+    p.side = d.allowance_side.value_or(0);
+    p.floor = d.allowance_floor.value_or(0);
+    p.infeed = d.infeed;
+    p.finish_infeed = d.finish_infeed.value_or(0);
+    p.mill = d.feed_mill;
+    p.plunge = d.feed_plunge;
+    p.finish = unless_0(d.feed_finish, p.mill);
+    p.climb = d.direction.value_or(1) >= 0;
+    p.rotation = geom::radians(d.rotation.value_or(0));
+    const double overlap = d.overlap.value_or(1);
     if (overlap <= 0 || overlap >= 2) c.fault(Role::overlap, "the path overlap factor must be above 0 and below 2");
     p.stepover = overlap * p.radius;
     p.descent.feed = p.plunge;
-    const int how = c.whole(Role::plunge, 0, 0, 2, "the plunging strategy");
+    const int how = c.whole(Role::plunge, d.plunge, 0, 0, 2, "the plunging strategy");
     p.descent.how = how == 1 ? Plunge::helix : how == 2 ? Plunge::reciprocate : Plunge::straight;
     if (p.operation != 2) set_angle(c, s, p.descent);
     if (s.tool_cutting_length > 0 && p.descent.angle > 0)

@@ -2,6 +2,7 @@
 /// What the cycles for pockets, slots and studs have in common: their parameters and the order of roughing and
 /// finishing.
 
+#include "cycles/mill/figures.hpp"
 #include "cycles/mill/milling.hpp"
 #include "cycles/shapes.hpp"
 
@@ -23,8 +24,7 @@ struct PocketData {
     Descent descent;
     geom::Vec2 called;
 };
-/// `with_overlap`: the cycle has a path overlap factor; without, the stepover is one tool radius.
-[[nodiscard]] PocketData read_pocket(Course& course, const Situation& situation, bool with_overlap);
+[[nodiscard]] PocketData pocket_data(Course& course, const MilledFigure& cycle, const Situation& situation);
 
 /// A figure in coordinates of its own.
 struct PocketFigure {

@@ -32,24 +32,8 @@ double centre_along(int position, double length, double width) {
     }
 }
 
-void straight_slot(Course& c, const Situation& s) {
-    const PocketData p = read_pocket(c, s, false);
-    const double length = c.positive(Role::length), width = c.positive(Role::width);
-    if (width > length) c.fault(Role::width, "the slot is wider than long");
-    if (!c.ready()) return;
-    c.assume(slot_rings);
-    const double u = centre_along(p.position, length, width), half = (length - width) / 2;
-    const Vec2 left{u - half, 0}, right{u + half, 0};
-    mill_pocket(c, p,
-                {{{geom::moved(long_slot(length, width), {u, 0})}},
-                 {p.rotation, p.called},
-                 left,
-                 true,
-                 {{{left}, {right}}, false}});
-}
-
 /// A slot along an arc about its origin, from one end of its middle line on the u axis over `sweep`.
-struct RoundSlot {
+struct BentSlot {
     Vec2 centre;
     double radius = 0, width = 0, from = 0, sweep = 0;
 
@@ -62,41 +46,18 @@ struct RoundSlot {
     [[nodiscard]] Placement where(double more = 0) const { return {from + more, centre}; }
 };
 
-RoundSlot read_round(Course& c) {
-    RoundSlot r;
-    r.radius = c.positive(Role::pitch_circle) / 2;
-    r.width = c.positive(Role::width);
-    r.sweep = geom::radians(c.need(Role::angle_length));
-    r.from = geom::radians(c.need(Role::start_angle));
+template <class Cycle>
+BentSlot bent_of(Course& c, const Cycle& d) {
+    BentSlot r;
+    r.radius = d.pitch_circle / 2;
+    r.width = d.width;
+    r.sweep = geom::radians(d.angle_length);
+    r.from = geom::radians(d.start_angle);
     if (r.sweep == 0) c.fault(Role::angle_length, "the angular length must not be 0");
     if (std::abs(r.sweep) > 2 * geom::pi + 1e-9)
         c.fault(Role::angle_length, "the angular length is more than a full circle");
     if (r.width / 2 > r.radius) c.fault(Role::width, "the slot is wider than its pitch circle");
     return r;
-}
-
-void bent_slot(Course& c, const Situation& s) {
-    PocketData p = read_pocket(c, s, false);
-    RoundSlot r = read_round(c);
-    const int position = p.position;
-    if (position == 0) {
-        r.centre = {c.need(Role::centre_u), c.need(Role::centre_v)};
-    } else {
-        // The called position: centre of the left arc, of the middle line, of the right arc; the angle is meant there.
-        const double part = position == 1 ? 0 : position == 2 ? 0.5 : 1;
-        r.centre = p.called - r.radius * Vec2{std::cos(r.from), std::sin(r.from)};
-        r.from -= part * r.sweep;
-    }
-    if (position > 3) c.fault(Role::position, "the position must be a whole number from 0 to 3");
-    const double count = c.maybe_at_least(Role::count, 1, 1), step = geom::radians(c.maybe(Role::angle_step, 0));
-    if (count > 1000 || count != std::floor(count))
-        c.fault(Role::count, "the number of operations must be a whole number");
-    if (!c.ready()) return;
-    c.assume(slot_rings);
-    p.position = 1;  // it does not return to the called position
-    const int slots = base::clipped<int>(count, 1, 1000);
-    for (int i = 0; i < slots && c.ready() && c.room(); ++i)
-        mill_pocket(c, p, {r.region(), r.where(i * step), {}, false, r.middle()});
 }
 
 /// Old forms: to and fro along the middle line, deeper with every pass; then the wall.
@@ -106,18 +67,19 @@ struct Reciprocation {
     int operation = 0;
 };
 
-Reciprocation read_reciprocation(Course& c, const Situation& s, double width) {
+Reciprocation reciprocation_of(Course& c, const ReciprocatingMilling& d, const Situation& s) {
     Reciprocation r;
-    r.h = read_heights(c);
+    r.h = heights_of(d);
     r.radius = milling_radius(c, s);
     c.known(s.at.z, "the tool's height");
-    r.mill = c.feed(Role::feed_mill);
-    r.plunge = c.feed_or(Role::feed_plunge, r.mill);
-    r.infeed = c.positive(Role::infeed);
-    r.finish_infeed = c.maybe_at_least(Role::finish_infeed, 0, 0);
-    r.operation = c.whole(Role::operation, 0, 0, 2, "the machining operation");
-    if (2 * r.radius > width + 1e-9) c.fault(Role::width, "tool radius too large: the tool is wider than the slot");
-    if (2 * r.radius < width / 3 - 1e-9) c.fault(Role::width, "the tool is narrower than a third of the slot's width");
+    r.mill = d.feed_mill;
+    r.plunge = unless_0(d.feed_plunge, r.mill);
+    r.infeed = d.infeed;
+    r.finish_infeed = d.finish_infeed.value_or(0);
+    r.operation = c.whole(Role::operation, d.operation, 0, 0, 2, "the machining operation");
+    if (2 * r.radius > d.width + 1e-9) c.fault(Role::width, "tool radius too large: the tool is wider than the slot");
+    if (2 * r.radius < d.width / 3 - 1e-9)
+        c.fault(Role::width, "the tool is narrower than a third of the slot's width");
     return r;
 }
 
@@ -184,34 +146,65 @@ void reciprocate(Course& c, const Reciprocation& r, const Contour& figure_middle
     c.rapid_w(r.h.end);
 }
 
-void slot_reciprocating(Course& c, const Situation& s) {
-    const Vec2 centre{c.need(Role::centre_u), c.need(Role::centre_v)};
-    const double length = c.positive(Role::length), width = c.positive(Role::width);
-    const double angle = geom::radians(c.maybe(Role::rotation, 0));
-    const Reciprocation r = read_reciprocation(c, s, width);
-    if (width > length) c.fault(Role::width, "the slot is wider than long");
-    if (!c.ready()) return;
-    const double half = (length - width) / 2;
-    reciprocate(c, r, {{{{-half, 0}}, {{half, 0}}}, false}, {{long_slot(length, width)}}, {angle, centre});
-}
-
-void round_slot_reciprocating(Course& c, const Situation& s) {
-    RoundSlot slot = read_round(c);
-    slot.centre = {c.need(Role::centre_u), c.need(Role::centre_v)};
-    const Reciprocation r = read_reciprocation(c, s, slot.width);
-    if (!c.ready()) return;
-    reciprocate(c, r, slot.middle(), slot.region(), slot.where());
-}
-
 }  // namespace
 
-void expand_slot(Course& c, const Demand& d, const Situation& s) {
-    switch (d.kind) {
-        case Kind::slot: return straight_slot(c, s);
-        case Kind::round_slot: return bent_slot(c, s);
-        case Kind::slot_reciprocating: return slot_reciprocating(c, s);
-        default: return round_slot_reciprocating(c, s);
+void write_steps(Course& c, const Slot& d, const Situation& s) {
+    const PocketData p = pocket_data(c, d, s);
+    if (d.width > d.length) c.fault(Role::width, "the slot is wider than long");
+    if (!c.ready()) return;
+    c.assume(slot_rings);
+    const double u = centre_along(p.position, d.length, d.width), half = (d.length - d.width) / 2;
+    const Vec2 left{u - half, 0}, right{u + half, 0};
+    mill_pocket(c, p,
+                {{{geom::moved(long_slot(d.length, d.width), {u, 0})}},
+                 {p.rotation, p.called},
+                 left,
+                 true,
+                 {{{left}, {right}}, false}});
+}
+
+void write_steps(Course& c, const RoundSlot& d, const Situation& s) {
+    PocketData p = pocket_data(c, d, s);
+    BentSlot r = bent_of(c, d);
+    const int position = p.position;
+    if (position == 0) {
+        r.centre = {asked(c, d, &RoundSlot::centre_u, Must::be_known),
+                    asked(c, d, &RoundSlot::centre_v, Must::be_known)};
+    } else {
+        // The called position: centre of the left arc, of the middle line, of the right arc; the angle is meant there.
+        const double part = position == 1 ? 0 : position == 2 ? 0.5 : 1;
+        r.centre = p.called - r.radius * Vec2{std::cos(r.from), std::sin(r.from)};
+        r.from -= part * r.sweep;
     }
+    if (position > 3) c.fault(Role::position, "the position must be a whole number from 0 to 3");
+    const double count = c.not_below(Role::count, d.count.value_or(1), 1);
+    const double step = geom::radians(d.angle_step.value_or(0));
+    if (count > 1000 || count != std::floor(count))
+        c.fault(Role::count, "the number of operations must be a whole number");
+    if (!c.ready()) return;
+    c.assume(slot_rings);
+    p.position = 1;  // it does not return to the called position
+    const int slots = base::clipped<int>(count, 1, 1000);
+    for (int i = 0; i < slots && c.ready() && c.room(); ++i)
+        mill_pocket(c, p, {r.region(), r.where(i * step), {}, false, r.middle()});
+}
+
+void write_steps(Course& c, const ReciprocatingSlot& d, const Situation& s) {
+    const double angle = geom::radians(d.rotation.value_or(0));
+    const Reciprocation r = reciprocation_of(c, d, s);
+    if (d.width > d.length) c.fault(Role::width, "the slot is wider than long");
+    if (!c.ready()) return;
+    const double half = (d.length - d.width) / 2;
+    reciprocate(c, r, {{{{-half, 0}}, {{half, 0}}}, false}, {{long_slot(d.length, d.width)}},
+                {angle, {d.centre_u, d.centre_v}});
+}
+
+void write_steps(Course& c, const ReciprocatingRoundSlot& d, const Situation& s) {
+    BentSlot slot = bent_of(c, d);
+    slot.centre = {d.centre_u, d.centre_v};
+    const Reciprocation r = reciprocation_of(c, d, s);
+    if (!c.ready()) return;
+    reciprocate(c, r, slot.middle(), slot.region(), slot.where());
 }
 
 }  // namespace obrys::cycles

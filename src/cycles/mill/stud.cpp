@@ -59,30 +59,6 @@ double beyond(double length, double width, double corner, double blank_length, d
                      (blank_width - width) / 2});
 }
 
-void rectangular_stud(Course& c, const Situation& s) {
-    const PocketData p = read_pocket(c, s, true);
-    const double length = c.positive(Role::length), width = c.positive(Role::width);
-    const double blank_length = c.at_least(Role::blank_length, length);
-    const double blank_width = c.at_least(Role::blank_width, width);
-    const double corner = c.maybe_at_least(Role::corner_radius, 0, 0);
-    if (corner > std::min(length, width) / 2 + 1e-9)
-        c.fault(Role::corner_radius, "the corner radius is larger than half the stud's side");
-    if (!c.ready()) return;
-    c.assume(beside);
-    const double u = length / 2, v = width / 2;
-    const Vec2 centres[] = {{0, 0}, {u, v}, {-u, v}, {-u, -v}, {u, -v}};
-    const Region stud{{geom::moved(rectangle(length, width, std::min(corner, std::min(u, v))), centres[p.position])}};
-    mill_stud(c, p, stud, beyond(length, width, corner, blank_length, blank_width));
-}
-
-void circular_stud(Course& c, const Situation& s) {
-    const PocketData p = read_pocket(c, s, true);
-    const double diameter = c.positive(Role::diameter), blank = c.at_least(Role::blank_diameter, diameter);
-    if (!c.ready()) return;
-    c.assume(beside);
-    mill_stud(c, p, {{disc(diameter / 2)}}, (blank - diameter) / 2);
-}
-
 /// 212 to 215: one run along the wall on every level. The figure stands about the centre that the cycle names.
 struct Finishing {
     Heights h;
@@ -90,15 +66,15 @@ struct Finishing {
     Vec2 centre;
 };
 
-Finishing read_finishing(Course& c, const Situation& s) {
+Finishing finishing_of(Course& c, const WallFinishing& d, const Situation& s) {
     Finishing f;
-    f.h = read_heights(c);
+    f.h = heights_of(d);
     f.radius = milling_radius(c, s);
     c.known(s.at.z, "the tool's height");
-    f.infeed = c.positive(Role::infeed);
-    f.mill = c.feed(Role::feed_mill);
-    f.plunge = c.feed_or(Role::feed_plunge, f.mill);
-    f.centre = {c.need(Role::centre_u), c.need(Role::centre_v)};
+    f.infeed = d.infeed;
+    f.mill = d.feed_mill;
+    f.plunge = unless_0(d.feed_plunge, f.mill);
+    f.centre = {d.centre_u, d.centre_v};
     return f;
 }
 
@@ -128,25 +104,49 @@ void run_along(Course& c, const Finishing& f, const Contour& figure, bool outsid
     c.rapid({f.centre.x, f.centre.y, f.h.end});
 }
 
+void finish_rectangle(Course& c, const RectangularFinishing& d, const Situation& s, bool outside) {
+    const Finishing f = finishing_of(c, d, s);
+    const double corner = d.corner_radius.value_or(0);
+    if (corner > std::min(d.length, d.width) / 2 + 1e-9)
+        c.fault(Role::corner_radius, "the corner radius is larger than half the side");
+    if (c.ready()) run_along(c, f, rectangle(d.length, d.width, corner), outside);
+}
+
+void finish_circle(Course& c, const CircularFinishing& d, const Situation& s, bool outside) {
+    const Finishing f = finishing_of(c, d, s);
+    if (c.ready()) run_along(c, f, disc(d.diameter / 2), outside);
+}
+
 }  // namespace
 
-void expand_stud(Course& c, const Demand& d, const Situation& s) {
-    return d.kind == Kind::rectangular_stud ? rectangular_stud(c, s) : circular_stud(c, s);
+void write_steps(Course& c, const RectangularStud& d, const Situation& s) {
+    const PocketData p = pocket_data(c, d, s);
+    c.not_below(Role::blank_length, d.blank_length, d.length);
+    c.not_below(Role::blank_width, d.blank_width, d.width);
+    const double corner = d.corner_radius.value_or(0), u = d.length / 2, v = d.width / 2;
+    if (corner > std::min(u, v) + 1e-9)
+        c.fault(Role::corner_radius, "the corner radius is larger than half the stud's side");
+    if (!c.ready()) return;
+    c.assume(beside);
+    const Vec2 centres[] = {{0, 0}, {u, v}, {-u, v}, {-u, -v}, {u, -v}};
+    const Region stud{
+        {geom::moved(rectangle(d.length, d.width, std::min(corner, std::min(u, v))), centres[p.position])}};
+    mill_stud(c, p, stud, beyond(d.length, d.width, corner, d.blank_length, d.blank_width));
 }
 
-void expand_finish(Course& c, const Demand& d, const Situation& s) {
-    const Finishing f = read_finishing(c, s);
-    const bool outside = d.kind == Kind::rectangular_stud_finish || d.kind == Kind::circular_stud_finish;
-    if (d.kind == Kind::circular_pocket_finish || d.kind == Kind::circular_stud_finish) {
-        const double diameter = c.positive(Role::diameter);
-        if (c.ready()) run_along(c, f, disc(diameter / 2), outside);
-        return;
-    }
-    const double length = c.positive(Role::length), width = c.positive(Role::width);
-    const double corner = c.maybe_at_least(Role::corner_radius, 0, 0);
-    if (corner > std::min(length, width) / 2 + 1e-9)
-        c.fault(Role::corner_radius, "the corner radius is larger than half the side");
-    if (c.ready()) run_along(c, f, rectangle(length, width, corner), outside);
+void write_steps(Course& c, const CircularStud& d, const Situation& s) {
+    const PocketData p = pocket_data(c, d, s);
+    c.not_below(Role::blank_diameter, d.blank_diameter, d.diameter);
+    if (!c.ready()) return;
+    c.assume(beside);
+    mill_stud(c, p, {{disc(d.diameter / 2)}}, (d.blank_diameter - d.diameter) / 2);
 }
+
+void write_steps(Course& c, const RectangularPocketFinishing& d, const Situation& s) {
+    finish_rectangle(c, d, s, false);
+}
+void write_steps(Course& c, const RectangularStudFinishing& d, const Situation& s) { finish_rectangle(c, d, s, true); }
+void write_steps(Course& c, const CircularPocketFinishing& d, const Situation& s) { finish_circle(c, d, s, false); }
+void write_steps(Course& c, const CircularStudFinishing& d, const Situation& s) { finish_circle(c, d, s, true); }
 
 }  // namespace obrys::cycles

@@ -118,20 +118,19 @@ Fault lay_for_finishing(Profile& p) {
 
 }  // namespace
 
-void lathe_offset_passes(TurningPath& path, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const OffsetFinishing& d, const TurningDemand& demand) {
     Course& c = path.course();
-    const ContourStart start = read_contour_start(path, demand);
-    const double first = c.maybe(Role::allowance_first, 0) / start.unit;
-    const double last = c.maybe(Role::allowance_last, 0) / start.unit;
-    const double passes = std::floor(c.maybe(Role::passes, 1));
-    if (passes > 10'000) c.fault(Role::passes, "the number of passes is too large");
+    const ContourStart start = start_of(path, d, demand);
+    const double first = d.allowance_first.value_or(0) / start.unit;
+    const double last = d.allowance_last.value_or(0) / start.unit;
+    const double passes = whole_passes(c, Role::passes, d.passes, 1);
     if (!c.ready()) return;
     path.rapid(start.at);
     Profile p = profile_of(demand.contour, start.at, start.unit);
     if (p.pieces.size() <= 1) return;
     if (const Fault f = lay_for_finishing(p)) return c.fault(*f);
     ProfilePath out(path, p, start.unit);
-    const double count = c.maybe(Role::passes, 1);
+    const double count = d.passes.value_or(1);
     for (double pass = passes; pass > 0 && c.room(); pass -= 1) {
         Profile now = p;
         if (const Fault f = keep_distance(now, (pass - 1) * (first - last) / count + last)) return c.fault(*f);

@@ -4,8 +4,8 @@
 
 namespace obrys::cycles {
 
-void TurningPath::thread(geom::Vec2 to, double pitch) {
-    course_.add(cl::Thread{.to = place(to), .pitch = pitch, .rigid_tap = false});
+void TurningPath::thread(geom::Vec2 to, double pitch, double start) {
+    course_.add(cl::Thread{.to = place(to), .pitch = pitch, .rigid_tap = false, .start = start});
     course_.moved_to(place(to));
 }
 
@@ -27,11 +27,18 @@ void TurningPath::element(const TurningElement& e, geom::Vec2 shift, bool finish
         e.rapid ? rapid(to) : feed(to);
 }
 
-Ends read_ends(Course& c, const Situation& s) {
+Ends ends_of(Course& c, const Said& target_u, const Said& target_v, const Situation& s) {
     Ends e;
     e.start = {c.known(s.at.x, "the tool's position"), c.known(s.at.y, "the tool's position")};
-    e.target = {c.maybe(cl::CycleRole::target_u, e.start.x), c.maybe(cl::CycleRole::target_v, e.start.y)};
+    e.target = {target_u.value_or(e.start.x), target_v.value_or(e.start.y)};
     return e;
+}
+
+double whole_passes(Course& c, Role role, const Said& said, double otherwise) {
+    constexpr double most = 10'000;
+    const double n = std::floor(said.value_or(otherwise));
+    if (n > most) c.fault(role, "the number of passes is too large");
+    return n;
 }
 
 }  // namespace obrys::cycles

@@ -1,7 +1,8 @@
 #pragma once
 /// What the families of turning cycles share: the tool's moves in (Z, X), and the families.
 
-#include "cycles/course.hpp"
+#include "cycles/turn/contours.hpp"
+#include "cycles/turn/cuts.hpp"
 #include "cycles/turn/turning.hpp"
 
 namespace obrys::cycles {
@@ -15,7 +16,8 @@ public:
 
     void rapid(geom::Vec2 to) { course_.straight(place(to), true); }
     void feed(geom::Vec2 to) { course_.straight(place(to), false); }
-    void thread(geom::Vec2 to, double pitch);
+    /// `start`: degrees of the spindle.
+    void thread(geom::Vec2 to, double pitch, double start = 0);
     void arc(geom::Vec2 to, geom::Vec2 centre, int turn);
     /// As the element says, shifted; its feed too where `finishing`.
     void element(const TurningElement& e, geom::Vec2 shift, bool finishing);
@@ -29,12 +31,23 @@ private:
 struct Ends {
     geom::Vec2 start, target;
 };
-[[nodiscard]] Ends read_ends(Course& course, const Situation& situation);
+[[nodiscard]] Ends ends_of(Course& course, const Said& target_u, const Said& target_v, const Situation& situation);
+/// The number of passes in a value; far too many are a fault.
+[[nodiscard]] double whole_passes(Course& course, Role role, const Said& said, double otherwise);
 
-void lathe_offset_passes(TurningPath& path, const TurningDemand& demand);
-void lathe_rough(TurningPath& path, const TurningDemand& demand);
-void lathe_thread(TurningPath& path, const TurningDemand& demand);
-void lathe_removal(TurningPath& path, const TurningDemand& demand);
-void lathe_simple(TurningPath& path, const TurningDemand& demand);
+void write_steps(TurningPath&, const OffsetFinishing&, const TurningDemand&);
+void write_steps(TurningPath&, const RoughingAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const RoughingAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const ContourFinishing&, const TurningDemand&);
+void write_steps(TurningPath&, const RemovalAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const RemovalAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const PatternRepeating&, const TurningDemand&);
+void write_steps(TurningPath&, const PecksAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const PecksAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxAlong&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxAcross&, const TurningDemand&);
+void write_steps(TurningPath&, const BoxThread&, const TurningDemand&);
+void write_steps(TurningPath&, const ThreadPasses&, const TurningDemand&);
+void write_steps(TurningPath&, const DegressiveThread&, const TurningDemand&);
 
 }  // namespace obrys::cycles

@@ -23,22 +23,18 @@ void along_contour(TurningPath& path, const std::vector<TurningElement>& contour
     for (const TurningElement& e : contour) path.element(e, shift, finishing);
 }
 
-Vec2 read_allowance(Course& c) { return {c.maybe(Role::allowance_u, 0), c.maybe(Role::allowance_v, 0)}; }
+template <class Cycle>
+Vec2 allowance_of(const Cycle& d) {
+    return {d.allowance_u.value_or(0), d.allowance_v.value_or(0)};
+}
 
-void repeat(TurningPath& path, const TurningDemand& demand, Vec2 start) {
-    Course& c = path.course();
-    const Vec2 allowance = read_allowance(c), relief{c.need(Role::relief_u), c.need(Role::relief_v)};
-    const int passes = c.whole(Role::passes, 1, 1, 10'000, "the number of passes");
-    c.need(Role::passes);
-    if (!c.ready()) return;
-    if (passes == 1) c.assume("a single pass has no relief");
-    for (int i = 0; i < passes && c.room(); ++i) {
-        const double part = passes > 1 ? double(passes - 1 - i) / (passes - 1) : 0;
-        const Vec2 shift = allowance + part * relief;
-        path.rapid(start + shift);
-        along_contour(path, demand.contour, shift, false);
-    }
-    path.rapid(start);
+/// Where the cycle begins; the contour must be one that it can follow.
+Vec2 begin(Course& c, const TurningDemand& demand) {
+    const Vec2 start = ends_of(c, {}, {}, demand.situation).start;
+    if (demand.contour.empty()) c.fault("the contour is empty");
+    for (const TurningElement& e : demand.contour)
+        if (e.fillet != 0 || e.chamfer != 0) c.not_simulated("corners of the contour are not made in this cycle");
+    return start;
 }
 
 /// Laid so that the infeed runs towards smaller v and the cuts towards smaller u.
@@ -173,20 +169,21 @@ void check_height(Course& c, const Profile& p) {
             "begin the cycle outside; newer controls stop here");
 }
 
-void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
+void remove(TurningPath& path, const StockRemoval& d, const TurningDemand& demand, bool across) {
     Course& c = path.course();
+    const Vec2 start = begin(c, demand);
     Removal r;
-    r.infeed = c.need(Role::infeed);
+    r.infeed = d.infeed;
     if (r.infeed <= 0) c.fault(Role::infeed, "the depth of cut must be greater than 0", "give the depth of one cut");
-    r.escape = c.at_least(Role::escape, 0);
-    r.pockets = c.whole(Role::pockets, 0, 0, 1, "the type of stock removal") == 1;
-    const Vec2 allowance = read_allowance(c);
+    r.escape = d.escape;
+    r.pockets = c.whole(Role::pockets, d.pockets, 0, 0, 1, "the type of stock removal") == 1;
+    const Vec2 allowance = allowance_of(d);
     if (!c.ready()) return;
-    Profile p = lay_for_removal(demand, start, demand.cycle.kind == Kind::lathe_remove_across);
+    Profile p = lay_for_removal(demand, start, across);
     if (p.pieces.size() < 2) return c.fault("the contour has no length");
     r.rapid_infeed = demand.contour.front().rapid;
     shift_pieces(p, p.laid(allowance));
-    r.left = p.laid({c.maybe(Role::relief_u, 0), c.maybe(Role::relief_v, 0)});
+    r.left = p.laid({d.relief_u.value_or(0), d.relief_v.value_or(0)});
     r.start = p.pieces.front().from;
     if ((r.start.y - p.pieces.front().to.y) / r.infeed > double(most_steps) / 8)
         return c.fault(Role::infeed, "the infeed is too small for the contour");
@@ -201,20 +198,33 @@ void remove(TurningPath& path, const TurningDemand& demand, Vec2 start) {
 
 }  // namespace
 
-void lathe_removal(TurningPath& path, const TurningDemand& demand) {
+void write_steps(TurningPath& path, const ContourFinishing&, const TurningDemand& demand) {
     Course& c = path.course();
-    const Vec2 start = read_ends(c, demand.situation).start;
-    if (demand.contour.empty()) c.fault("the contour is empty");
-    for (const TurningElement& e : demand.contour)
-        if (e.fillet != 0 || e.chamfer != 0) c.not_simulated("corners of the contour are not made in this cycle");
-    switch (demand.cycle.kind) {
-        case Kind::lathe_remove_along:
-        case Kind::lathe_remove_across: return remove(path, demand, start);
-        case Kind::lathe_repeat_pattern: return repeat(path, demand, start);
-        default: break;
-    }
+    const Vec2 start = begin(c, demand);
     if (!c.ready()) return;
     along_contour(path, demand.contour, {}, true);
+    path.rapid(start);
+}
+
+void write_steps(TurningPath& path, const RemovalAlong& d, const TurningDemand& demand) {
+    remove(path, d, demand, false);
+}
+void write_steps(TurningPath& path, const RemovalAcross& d, const TurningDemand& demand) {
+    remove(path, d, demand, true);
+}
+
+void write_steps(TurningPath& path, const PatternRepeating& d, const TurningDemand& demand) {
+    Course& c = path.course();
+    const Vec2 start = begin(c, demand), allowance = allowance_of(d), relief{d.relief_u, d.relief_v};
+    const int passes = c.whole(Role::passes, d.passes, 1, 1, 10'000, "the number of passes");
+    if (!c.ready()) return;
+    if (passes == 1) c.assume("a single pass has no relief");
+    for (int i = 0; i < passes && c.room(); ++i) {
+        const double part = passes > 1 ? double(passes - 1 - i) / (passes - 1) : 0;
+        const Vec2 shift = allowance + part * relief;
+        path.rapid(start + shift);
+        along_contour(path, demand.contour, shift, false);
+    }
     path.rapid(start);
 }
 

@@ -13,12 +13,12 @@ namespace obrys::cycles {
 using geom::Vec2;
 using profile::touch;
 
-ContourStart read_contour_start(TurningPath& path, const TurningDemand& demand) {
+ContourStart start_of(TurningPath& path, const TurnedContour& d, const TurningDemand& demand) {
     Course& c = path.course();
     ContourStart s;
-    s.at = {c.maybe(Role::target_u, demand.situation.at.x), c.maybe(Role::target_v, demand.situation.at.y)};
+    s.at = {d.target_u.value_or(demand.situation.at.x), d.target_v.value_or(demand.situation.at.y)};
     c.known(s.at.x + s.at.y, "the start point");
-    s.unit = demand.cycle.find(Role::length_unit) ? c.positive(Role::length_unit) : 1;
+    s.unit = d.length_unit.value_or(1);
     if (demand.contour.empty()) c.fault("the contour is empty");
     return s;
 }
@@ -287,13 +287,13 @@ struct Roughing {
     int pockets = 0;
 };
 
-Roughing read_roughing(Course& c, double unit) {
+Roughing roughing_of(Course& c, const ParallelRoughing& d, double unit) {
     Roughing r;
-    r.infeed = c.maybe(Role::infeed, unit) / unit;
-    r.escape = c.maybe(Role::escape, 0.5 * unit) / unit;
-    r.distance = c.maybe(Role::allowance_side, 0) / unit;
-    r.offset = {c.maybe(Role::offset_u, 0) / unit, c.maybe(Role::offset_v, 0) / unit};
-    r.pockets = c.whole(Role::pockets, 0, 0, 2, "the treatment of pockets");
+    r.infeed = d.infeed.value_or(unit) / unit;
+    r.escape = d.escape.value_or(0.5 * unit) / unit;
+    r.distance = d.allowance_side.value_or(0) / unit;
+    r.offset = {d.offset_u.value_or(0) / unit, d.offset_v.value_or(0) / unit};
+    r.pockets = c.whole(Role::pockets, d.pockets, 0, 0, 2, "the treatment of pockets");
     if (r.infeed <= 0) c.fault(Role::infeed, "the infeed must be greater than 0");
     return r;
 }
@@ -308,13 +308,10 @@ Fault prepare(Profile& p, const Roughing& r) {
     return std::nullopt;
 }
 
-}  // namespace
-
-void lathe_rough(TurningPath& path, const TurningDemand& demand) {
+void rough(TurningPath& path, const ParallelRoughing& d, const TurningDemand& demand, bool across) {
     Course& c = path.course();
-    const bool across = demand.cycle.kind == cl::CycleKind::lathe_rough_across;
-    const ContourStart start = read_contour_start(path, demand);
-    const Roughing r = read_roughing(c, start.unit);
+    const ContourStart start = start_of(path, d, demand);
+    const Roughing r = roughing_of(c, d, start.unit);
     if (!c.ready()) return;
     path.rapid(start.at);
     Profile p = profile_of(demand.contour, start.at, start.unit);
@@ -327,6 +324,15 @@ void lathe_rough(TurningPath& path, const TurningDemand& demand) {
     out.rapid(from);
     if (end.y < from.y) p.pieces.push_back({end, {end.x, from.y}, {}, 0, Corner::none, 0});
     if (const Fault f = rough_down(out, p.pieces, std::max(r.infeed, 2 * touch), r.escape, r.pockets)) c.fault(*f);
+}
+
+}  // namespace
+
+void write_steps(TurningPath& path, const RoughingAlong& d, const TurningDemand& demand) {
+    rough(path, d, demand, false);
+}
+void write_steps(TurningPath& path, const RoughingAcross& d, const TurningDemand& demand) {
+    rough(path, d, demand, true);
 }
 
 }  // namespace obrys::cycles

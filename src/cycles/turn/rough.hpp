@@ -11,8 +11,8 @@ struct ContourStart {
     geom::Vec2 at;    ///< mm
     double unit = 1;  ///< mm per unit of the program
 };
-/// target_u, target_v, length_unit; the contour must not be empty.
-[[nodiscard]] ContourStart read_contour_start(TurningPath& path, const TurningDemand& demand);
+/// The contour must not be empty.
+[[nodiscard]] ContourStart start_of(TurningPath& path, const TurnedContour& cycle, const TurningDemand& demand);
 
 /// Where a piece meets the height v: u of the meetings, as the control finds them.
 [[nodiscard]] std::vector<double> meetings(const Piece& piece, double v);

@@ -12,14 +12,9 @@ using geom::Vec2;
 
 namespace {
 
-void box(TurningPath& path, const TurningDemand& demand) {
-    Course& c = path.course();
-    const bool along = demand.cycle.kind == Kind::lathe_box_along;
-    const Ends e = read_ends(c, demand.situation);
-    c.need(Role::target_u);
-    c.need(Role::target_v);
-    const double taper = c.maybe(along ? Role::taper_v : Role::taper_u, 0);
-    if (!c.ready()) return;
+/// One cut, in the one axis or the other; `taper`: where it begins beside its end.
+void box(TurningPath& path, const Ends& e, double taper, bool along) {
+    if (!path.course().ready()) return;
     path.rapid(along ? Vec2{e.start.x, e.target.y + taper} : Vec2{e.target.x + taper, e.start.y});
     path.feed(e.target);
     path.feed(along ? Vec2{e.target.x, e.start.y} : Vec2{e.start.x, e.target.y});
@@ -34,23 +29,23 @@ struct TurningPecks {
     [[nodiscard]] Vec2 place(Vec2 p) const { return along ? p : Vec2{p.y, p.x}; }
 };
 
-TurningPecks read_turning_pecks(Course& c, const TurningDemand& demand) {
+template <class Cycle>
+TurningPecks pecks_of(Course& c, const Cycle& d, const Situation& s, bool along) {
     TurningPecks p;
-    p.along = demand.cycle.kind == Kind::lathe_peck_along;
-    const Ends e = read_ends(c, demand.situation);
-    c.need(p.along ? Role::target_u : Role::target_v);
+    p.along = along;
+    const Ends e = ends_of(c, d.target_u, d.target_v, s);
     p.start = p.place(e.start);
     p.target = p.place(e.target);
-    p.infeed = c.maybe_at_least(Role::infeed, 0, 0);
-    p.step = c.maybe_at_least(Role::stepover, 0, 0);
-    p.escape = c.maybe_at_least(Role::escape, 0, 0);
+    p.infeed = d.infeed.value_or(0);
+    p.step = d.stepover.value_or(0);
+    p.escape = d.escape.value_or(0);
     const double across = std::abs(p.target.y - p.start.y), deep = std::abs(p.target.x - p.start.x);
     // Without steps its sign says the side.
-    p.relief = across == 0 ? 0 : c.maybe_at_least(Role::relief, 0, 0);
-    if (demand.cycle.find(Role::stepover) && p.step == 0 && across > 0)
+    p.relief = across == 0 ? 0 : asked_or(c, d, &Cycle::relief, Must::be_at_least_0, 0);
+    if (d.stepover && p.step == 0 && across > 0)
         c.fault(Role::stepover, "the step must not be 0 where the other axis moves");
     if (p.step > 0 && across / p.step > double(most_steps)) c.fault(Role::stepover, "the steps are too small");
-    if (demand.cycle.find(Role::infeed) && p.infeed == 0) c.fault(Role::infeed, "the infeed must not be 0");
+    if (d.infeed && p.infeed == 0) c.fault(Role::infeed, "the infeed must not be 0");
     if (p.infeed > 0 && deep / p.infeed > double(most_steps)) c.fault(Role::infeed, "the infeed is too small");
     return p;
 }
@@ -76,9 +71,8 @@ void peck_down(TurningPath& path, const TurningPecks& p, double y) {
     path.feed(p.place({p.target.x, y}));
 }
 
-void turning_pecks(TurningPath& path, const TurningDemand& demand) {
+void run_pecks(TurningPath& path, const TurningPecks& p) {
     Course& c = path.course();
-    const TurningPecks p = read_turning_pecks(c, demand);
     if (!c.ready()) return;
     if (p.relief > 0) c.assume("the first peck has no relief at its bottom");
     const double back = p.target.y < p.start.y ? 1 : -1;
@@ -95,10 +89,18 @@ void turning_pecks(TurningPath& path, const TurningDemand& demand) {
 
 }  // namespace
 
-void lathe_simple(TurningPath& path, const TurningDemand& demand) {
-    const Kind kind = demand.cycle.kind;
-    if (kind == Kind::lathe_box_along || kind == Kind::lathe_box_across) return box(path, demand);
-    turning_pecks(path, demand);
+void write_steps(TurningPath& path, const PecksAlong& d, const TurningDemand& demand) {
+    run_pecks(path, pecks_of(path.course(), d, demand.situation, true));
+}
+void write_steps(TurningPath& path, const PecksAcross& d, const TurningDemand& demand) {
+    run_pecks(path, pecks_of(path.course(), d, demand.situation, false));
+}
+
+void write_steps(TurningPath& path, const BoxAlong& d, const TurningDemand& demand) {
+    box(path, ends_of(path.course(), d.target_u, d.target_v, demand.situation), d.taper_v.value_or(0), true);
+}
+void write_steps(TurningPath& path, const BoxAcross& d, const TurningDemand& demand) {
+    box(path, ends_of(path.course(), d.target_u, d.target_v, demand.situation), d.taper_u.value_or(0), false);
 }
 
 }  // namespace obrys::cycles

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number.hpp"
 #include "cycles/turn/path.hpp"
 
 namespace obrys::cycles {
@@ -13,12 +14,6 @@ using geom::Vec2;
 namespace {
 
 constexpr double most_thread_passes = 10'000;
-
-double whole_passes(Course& c, Role role, double otherwise) {
-    const double n = std::floor(c.maybe(role, otherwise));
-    if (n > most_thread_passes) c.fault(role, "the number of passes is too large");
-    return n;
-}
 
 /// A thread whose passes go deeper by a power of their number. All in the unit of the program.
 struct Degressive {
@@ -32,38 +27,36 @@ struct Degressive {
     double taper_pitch = 0;
 };
 
-void read_taper(Course& c, Degressive& d) {
-    d.taper = c.maybe(Role::taper_length, 0) / d.unit;
-    const int ends = c.whole(Role::taper_ends, 0, 0, 9, "the ends with a taper");
+void take_taper(Course& c, const DegressiveThread& said, Degressive& d) {
+    d.taper = said.taper_length.value_or(0) / d.unit;
+    const int ends = c.whole(Role::taper_ends, said.taper_ends, 0, 0, 9, "the ends with a taper");
     d.entry = d.taper > 0 && (ends & 1) != 0;
     d.exit = d.taper > 0 && (ends & 2) != 0;
     if (d.taper > 0) d.taper_pitch = d.pitch * std::hypot(d.taper, d.depth) / d.taper;
     if (d.end.x > d.start.x) d.taper = -d.taper;
 }
 
-Degressive read_degressive(Course& c, const TurningDemand& demand) {
+Degressive degressive_of(Course& c, const DegressiveThread& said, const Situation& situation) {
     Degressive d;
-    d.unit = demand.cycle.find(Role::length_unit) ? c.positive(Role::length_unit) : 1;
-    const Ends ends = read_ends(c, demand.situation);
-    c.need(Role::target_u);
+    d.unit = said.length_unit.value_or(1);
+    const Ends ends = ends_of(c, said.target_u, said.target_v, situation);
     d.start = (1 / d.unit) * ends.start;
     d.end = (1 / d.unit) * ends.target;
-    d.pitch = c.need(Role::pitch) / d.unit;
-    d.crest = c.need(Role::crest_offset) / d.unit;
-    d.first = c.need(Role::first_depth) / d.unit;
-    d.depth = c.need(Role::thread_depth) / d.unit;
-    d.degression = std::max(1.0, c.maybe(Role::degression, 1));
-    d.angle = geom::radians(c.maybe(Role::infeed_angle, 0)) * (d.end.x > d.start.x ? -1 : 1);
-    d.springs = whole_passes(c, Role::spring_passes, 0);
-    read_taper(c, d);
+    d.pitch = said.pitch / d.unit;
+    d.crest = said.crest_offset / d.unit;
+    d.first = said.first_depth / d.unit;
+    d.depth = said.thread_depth / d.unit;
+    d.degression = std::max(1.0, said.degression.value_or(1));
+    d.angle = geom::radians(said.infeed_angle.value_or(0)) * (d.end.x > d.start.x ? -1 : 1);
+    d.springs = whole_passes(c, Role::spring_passes, said.spring_passes, 0);
+    take_taper(c, said, d);
     if (d.pitch == 0) c.fault(Role::pitch, "the thread pitch must not be 0");
     if (d.crest == 0) c.fault(Role::crest_offset, "the offset of the thread's crest must not be 0");
     if (d.first <= 0) c.fault(Role::first_depth, "the depth of the first cut must be greater than 0");
     if (d.depth <= d.first) c.fault(Role::thread_depth, "the thread must be deeper than its first cut");
     if (std::pow(d.depth / d.first, d.degression) > most_thread_passes)
         c.fault(Role::first_depth, "the depth of the first cut is too small");
-    if (demand.situation.spindle_direction == 0)
-        c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
+    if (situation.spindle_direction == 0) c.fault("the spindle does not turn", "program M3 or M4 before the cycle");
     return d;
 }
 
@@ -103,31 +96,20 @@ private:
     double in_, back_;
 };
 
-void degressive(TurningPath& path, const TurningDemand& demand) {
-    Course& c = path.course();
-    const Degressive d = read_degressive(c, demand);
-    if (!c.ready()) return;
-    const double crest = std::abs(d.crest), full = d.depth + crest;
-    int pass = 1;
-    for (double in = crest + d.first; in < full && c.room();) {
-        DegressivePass(path, d, in).cut();
-        in = crest + d.first * std::pow(++pass, 1.0 / d.degression);
-    }
-    for (double i = 0; i < d.springs + 1; i += 1) DegressivePass(path, d, full).cut();
-    path.rapid(d.unit * d.end);
-}
-
 /// A thread between two points that belong to the end of the pass; taper_v and runout as in the header.
 struct Line {
     Vec2 home;  ///< where the tool goes in and out: u of the start of this pass, v of the start point
     Vec2 end;
     double taper = 0, runout = 0, pitch = 0;
+    double angle = 0;  ///< of the spindle where it begins, degrees
 };
 
 /// The lead holds along the axis; the record has it along the move.
 double along_move(Vec2 move, double lead) { return move.x == 0 ? lead : lead * geom::length(move) / std::abs(move.x); }
 
-void thread_to(TurningPath& path, Vec2 to, double lead) { path.thread(to, along_move(to - path.at(), lead)); }
+void thread_to(TurningPath& path, Vec2 to, double lead, double start = 0) {
+    path.thread(to, along_move(to - path.at(), lead), start);
+}
 
 void thread_line(TurningPath& path, const Line& l) {
     const double out = l.home.y >= l.end.y ? 1 : -1, back = l.home.x >= l.end.x ? 1 : -1;
@@ -136,29 +118,19 @@ void thread_line(TurningPath& path, const Line& l) {
     if (run > 0) {
         const double part = 1 - run / std::abs(l.home.x - l.end.x);
         const Vec2 leave{l.end.x + back * run, l.end.y + l.taper * (1 - part)};
-        thread_to(path, leave, l.pitch);
+        thread_to(path, leave, l.pitch, l.angle);
         thread_to(path, {l.end.x, leave.y + out * std::min(run, std::abs(l.home.y - leave.y))}, l.pitch);
     } else {
-        thread_to(path, l.end, l.pitch);
+        thread_to(path, l.end, l.pitch, l.angle);
     }
     path.rapid({l.end.x, l.home.y});
 }
 
-Line read_line(Course& c, const Ends& ends) {
-    c.need(Role::target_u);
-    c.need(Role::target_v);
-    Line l{ends.start, ends.target, c.maybe(Role::taper_v, 0), c.maybe_at_least(Role::runout, 0, 0),
-           c.positive(Role::pitch)};
+Line line_of(Course& c, const ThreadLine& d, const Ends& ends) {
     if (ends.start.x == ends.target.x) c.fault(Role::target_u, "the thread has no length");
+    Line l{ends.start, ends.target, d.taper_v.value_or(0), d.runout.value_or(0), d.pitch};
+    l.angle = d.spindle_angle.value_or(0);
     return l;
-}
-
-void single(TurningPath& path, const TurningDemand& demand) {
-    Course& c = path.course();
-    const Line l = read_line(c, read_ends(c, demand.situation));
-    if (!c.ready()) return;
-    thread_line(path, l);
-    path.rapid(l.home);
 }
 
 struct Depths {
@@ -185,23 +157,49 @@ std::vector<double> depths_of(Course& c, const Depths& d) {
     return depths;
 }
 
-void passes(TurningPath& path, const TurningDemand& demand) {
+}  // namespace
+
+void write_steps(TurningPath& path, const DegressiveThread& said, const TurningDemand& demand) {
     Course& c = path.course();
-    const Ends ends = read_ends(c, demand.situation);
-    Line l = read_line(c, ends);
-    const double whole = c.positive(Role::thread_depth), first = c.positive(Role::first_depth);
-    const double least = c.maybe_at_least(Role::min_infeed, 0, 0);
-    const double left = c.maybe_at_least(Role::finish_allowance, 0, 0);
-    const double finishing = std::max(1.0, whole_passes(c, Role::finish_passes, 1));
-    const double angle = c.maybe(Role::infeed_angle, 0);
-    const int method = c.whole(Role::infeed_method, 1, 1, 4, "the method of infeed");
-    const double leads = c.maybe_at_least(Role::runout_leads, 0, 0);
-    if (l.runout == 0) l.runout = leads * l.pitch;
+    const Degressive d = degressive_of(c, said, demand.situation);
+    if (!c.ready()) return;
+    const double crest = std::abs(d.crest), full = d.depth + crest;
+    int pass = 1;
+    for (double in = crest + d.first; in < full && c.room();) {
+        DegressivePass(path, d, in).cut();
+        in = crest + d.first * std::pow(++pass, 1.0 / d.degression);
+    }
+    for (double i = 0; i < d.springs + 1; i += 1) DegressivePass(path, d, full).cut();
+    path.rapid(d.unit * d.end);
+}
+
+void write_steps(TurningPath& path, const BoxThread& d, const TurningDemand& demand) {
+    Course& c = path.course();
+    const Line l = line_of(c, d, ends_of(c, d.target_u, d.target_v, demand.situation));
+    if (!c.ready()) return;
+    thread_line(path, l);
+    path.rapid(l.home);
+}
+
+void write_steps(TurningPath& path, const ThreadPasses& d, const TurningDemand& demand) {
+    Course& c = path.course();
+    const Ends ends = ends_of(c, d.target_u, d.target_v, demand.situation);
+    Line l = line_of(c, d, ends);
+    const double whole = d.thread_depth, least = d.min_infeed.value_or(0), left = d.finish_allowance.value_or(0);
+    const double finishing = std::max(1.0, whole_passes(c, Role::finish_passes, d.finish_passes, 1));
+    const double angle = d.infeed_angle.value_or(0);
+    const int method = c.whole(Role::infeed_method, d.infeed_method, 1, 1, 4, "the method of infeed");
+    if (l.runout == 0) l.runout = d.runout_leads.value_or(0) * l.pitch;
     if (least > whole) c.fault(Role::min_infeed, "the smallest depth of cut is more than the depth of the thread");
+    if (d.first_depth > whole)
+        c.doubt(Role::first_depth,
+                "the first cut of " + base::shortest(d.first_depth) + " mm is deeper than the thread, which is " +
+                    base::shortest(whole) + " mm deep: it is cut to full depth in one pass",
+                "look at the depth of the first cut and the height of the thread");
     if (angle < 0 || angle > 60) c.fault(Role::infeed_angle, "the infeed angle must lie between 0 and 60 degrees");
     if (left >= whole) c.fault(Role::finish_allowance, "the finishing allowance is not less than the depth");
     if (!c.ready()) return;
-    const auto depths = depths_of(c, {whole, first, least, left, finishing, method >= 3});
+    const auto depths = depths_of(c, {whole, d.first_depth, least, left, finishing, method >= 3});
     if (!c.ready()) return;
     const bool both = method == 2 || method == 4;
     if (angle > 0)
@@ -219,16 +217,6 @@ void passes(TurningPath& path, const TurningDemand& demand) {
         thread_line(path, l);
     }
     path.rapid(ends.start);
-}
-
-}  // namespace
-
-void lathe_thread(TurningPath& path, const TurningDemand& demand) {
-    switch (demand.cycle.kind) {
-        case cl::CycleKind::lathe_thread_degressive: return degressive(path, demand);
-        case cl::CycleKind::lathe_box_thread: return single(path, demand);
-        default: return passes(path, demand);
-    }
 }
 
 }  // namespace obrys::cycles

@@ -8,29 +8,30 @@ namespace obrys::cycles {
 
 namespace {
 
-using TurningFamily = void (*)(TurningPath&, const TurningDemand&);
+struct TurningRow {
+    std::span<const Role> roles{};
+    void (*family)(TurningPath&, const TurningDemand&) = nullptr;
+};
+
+template <class Cycle>
+void expand_turned(TurningPath& path, const TurningDemand& demand) {
+    write_steps(path, read<Cycle>(path.course(), demand.cycle), demand);
+}
+
+template <class... Cycle>
+constexpr auto turning_table() {
+    std::array<TurningRow, static_cast<std::size_t>(Kind::probe) + 1> out{};
+    ((out[static_cast<std::size_t>(Cycle::kind)] = {roles_of_cycle<Cycle>, &expand_turned<Cycle>}), ...);
+    return out;
+}
+
+constexpr auto kinds = turning_table<OffsetFinishing, RoughingAlong, RoughingAcross, ContourFinishing, RemovalAlong,
+                                     RemovalAcross, PatternRepeating, PecksAlong, PecksAcross, BoxAlong, BoxAcross,
+                                     BoxThread, ThreadPasses, DegressiveThread>();
+
+const TurningRow& row_of(Kind kind) { return kinds[static_cast<std::size_t>(kind)]; }
 
 constexpr std::size_t most_elements = 5000;  ///< of a contour
-
-TurningFamily turning_family_of(Kind kind) {
-    switch (kind) {
-        case Kind::lathe_finish_offset: return lathe_offset_passes;
-        case Kind::lathe_rough_along:
-        case Kind::lathe_rough_across: return lathe_rough;
-        case Kind::lathe_thread_degressive:
-        case Kind::lathe_thread_passes:
-        case Kind::lathe_box_thread: return lathe_thread;
-        case Kind::lathe_finish:
-        case Kind::lathe_remove_along:
-        case Kind::lathe_remove_across:
-        case Kind::lathe_repeat_pattern: return lathe_removal;
-        case Kind::lathe_peck_along:
-        case Kind::lathe_peck_across:
-        case Kind::lathe_box_along:
-        case Kind::lathe_box_across: return lathe_simple;
-        default: return nullptr;
-    }
-}
 
 bool in_range(double v) { return std::abs(v) <= largest_input; }
 bool in_range(geom::Vec2 p) { return in_range(p.x) && in_range(p.y); }
@@ -49,18 +50,20 @@ void check_contour(Course& c, const std::vector<TurningElement>& contour) {
 
 }  // namespace
 
-bool is_turning_cycle(Kind kind) { return turning_family_of(kind) != nullptr; }
+bool is_turning_cycle(Kind kind) { return row_of(kind).family != nullptr; }
+
+std::span<const Role> roles_of_turning(Kind kind) { return row_of(kind).roles; }
 
 Expansion expand_turning(const TurningDemand& demand) {
     Course course(demand.cycle, demand.situation, true);
-    const TurningFamily family = turning_family_of(demand.cycle.kind);
-    if (family == nullptr) {
+    const TurningRow& row = row_of(demand.cycle.kind);
+    if (row.family == nullptr) {
         course.not_simulated("this cycle is not simulated");
         return course.finish();
     }
     check_contour(course, demand.contour);
     TurningPath path(course);
-    family(path, demand);
+    row.family(path, demand);
     return course.finish();
 }
 

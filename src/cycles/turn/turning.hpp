@@ -27,7 +27,8 @@
 ///   lathe_peck_across     G75: target_v X, infeed P / target_u Z, stepover Q, escape R(e) (0), relief R(d) (0).
 ///   lathe_thread_passes   G76: target_u Z, target_v X (root), pitch F, thread_depth P, first_depth Q / taper_v R (0),
 ///                         min_infeed Q (0), finish_allowance R (0), finish_passes m (1), infeed_angle a/2 (0), runout
-///                         (0) or runout_leads (0), infeed_method (1).
+///                         (0) or runout_leads (0), infeed_method (1),
+///                         spindle_angle (0): where its passes begin.
 ///   lathe_box_along       G90: target_u, target_v / taper_v R (0).
 ///   lathe_box_thread      G92: target_u, target_v, pitch / taper_v R (0), runout (0).
 ///   lathe_box_across      G94: target_u, target_v / taper_u R (0).
@@ -39,6 +40,7 @@
 /// open is named in Expansion::assumption.
 
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cycles/cycle.hpp"
@@ -64,6 +66,8 @@ struct TurningDemand {
 };
 
 [[nodiscard]] bool is_turning_cycle(cl::CycleKind kind);
+/// What a call of the kind can say (contours.hpp, cuts.hpp); nothing of another kind.
+[[nodiscard]] std::span<const cl::CycleRole> roles_of_turning(cl::CycleKind kind);
 /// As `expand` for the kinds of this header.
 [[nodiscard]] Expansion expand_turning(const TurningDemand& demand);
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "base/edit_distance.hpp"
+
 namespace obrys::dialect::apt {
 
 namespace {
@@ -133,24 +135,6 @@ constexpr std::array majors{
 static_assert(std::is_sorted(majors.begin(), majors.end(),
                              [](const MajorWord& a, const MajorWord& b) { return a.name < b.name; }));
 
-/// Letters to be put in, taken out or changed; more than `most` counts as `most` + 1.
-std::size_t distance(std::string_view a, std::string_view b, std::size_t most) {
-    constexpr std::size_t longest = 24;
-    if (a.size() > longest || b.size() > longest) return most + 1;
-    std::array<std::size_t, longest + 1> row{};
-    for (std::size_t k = 0; k <= b.size(); ++k) row[k] = k;
-    for (std::size_t i = 1; i <= a.size(); ++i) {
-        std::size_t corner = row[0];
-        row[0] = i;
-        for (std::size_t k = 1; k <= b.size(); ++k) {
-            const std::size_t changed = corner + (a[i - 1] == b[k - 1] ? 0 : 1);
-            corner = row[k];
-            row[k] = std::min({changed, row[k] + 1, row[k - 1] + 1});
-        }
-    }
-    return std::min(row[b.size()], most + 1);
-}
-
 }  // namespace
 
 const MajorWord* find_major(std::string_view upper) {
@@ -160,11 +144,12 @@ const MajorWord* find_major(std::string_view upper) {
 }
 
 std::string_view nearest_major(std::string_view upper) {
-    constexpr std::size_t near = 2;
+    constexpr std::size_t near = 2, longest = 24;
     std::string_view best;
+    if (upper.size() > longest) return best;
     std::size_t least = std::min(near + 1, upper.size() / 2);
     for (const MajorWord& w : majors)
-        if (const std::size_t d = distance(upper, w.name, near); d < least) {
+        if (const std::size_t d = base::edit_distance(upper, w.name); d < least) {
             least = d;
             best = w.name;
         }

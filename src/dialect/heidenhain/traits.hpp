@@ -34,7 +34,8 @@ inline constexpr std::array kept_parameters{program::KeptParameters{0, 1999, {},
 
 /// iTNC 530 User's Manual, "M functions for program run control, spindle and coolant".
 inline constexpr std::array spindle_stops{program::SpindleStop{0, false, true, true},
-                                          program::SpindleStop{1, false, false}, program::SpindleStop{6}};
+                                          program::SpindleStop{1, false, false},
+                                          program::SpindleStop{.function = 6, .does_more = true}};
 
 /// M137 and M111: iTNC 530 User's Manual, overview of the M functions, "effective at block end" (m_functions.cpp).
 inline constexpr std::array modes_behind_motion{program::Modal::feed_per_minute, program::Modal::feed_at_tool};
@@ -73,6 +74,7 @@ inline constexpr program::Traits traits{
     .compensation_keeps_side = true,
     .calls_end_compensation = true,
     .feed_at_tool_first = true,
+    .corner_keeps_feed = true,  // F holds until another one is reached, and "the previous feed" behind RND F
     .first_tool_says_axis = true,
     .set_by_control = control_parameters,
     .alarm_text = error_message,

@@ -151,6 +151,7 @@ enum class TurningNumber : std::uint8_t {
     plain,
     half_angle,  ///< degrees between the flanks; the role is half of it
     lead,
+    angle,  ///< in thousandths of a degree
 };
 struct TurningWord {
     char letter = 0;

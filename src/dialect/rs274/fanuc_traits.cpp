@@ -145,6 +145,8 @@ constexpr program::Traits common{
                 .extended_count = 48},
     .dwell_in_feed_words = false,
     .feed_mode_ends_surface_speed = false,
+    // Bit 5 of parameter 3404: M02 goes back to the beginning, or stays; Haas 96-8000: M30 alone goes back.
+    .end_that_stays = 2,
     .function_letters = function_letters,
     .builders_letters = "PQ",
     .compensation_holds_plane = "37",
@@ -161,6 +163,7 @@ program::Traits traits_of(std::span<const program::CannedCycle> cycles, bool haa
     t.canned = cycles;
     t.own_functions = t.passed_functions = accepted_fanuc_m(haas);
     t.pitch_along = program::PitchAlong::farthest_axis;
+    t.thread_begins_at_q = lathe;
     if (haas) t.kept = haas_kept;
     // FANUC B-63944EN, 4.1 "Positioning (G00)"; Haas: setting 335, linear rapid mode (docs/dialects/fanuc.md).
     if (haas) t.rapids = {program::RapidWay::each_axis, "setting 335 = NONE"};

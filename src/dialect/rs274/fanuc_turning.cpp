@@ -48,7 +48,8 @@ constexpr std::array thread_call{Word{'P', thread_depth, Number::increments},
                                  Word{'F', pitch, Number::lead}};
 constexpr std::array thread_single{Word{'K', thread_depth, Number::length}, Word{'D', first_depth, Number::depth},
                                    Word{'I', taper_v, Number::length},      Word{'A', infeed_angle, Number::half_angle},
-                                   Word{'P', infeed_method, Number::plain}, Word{'F', pitch, Number::lead}};
+                                   Word{'P', infeed_method, Number::plain}, Word{'F', pitch, Number::lead},
+                                   Word{'Q', spindle_angle, Number::angle}};
 
 constexpr std::array removal_parameters{
     CycleDefault{infeed, 1, infeed, "the depth of cut is not programmed: 1 mm is taken for what parameter 5132 holds"},

@@ -151,6 +151,8 @@ constexpr program::Traits traits{
     .tool_change_stops_spindle = true,
     .feed_mode_ends_surface_speed = false,
     .own_functions = own_functions,
+    .pallet_stop = 60,  // LinuxCNC, M-codes: M60 exchanges pallets and pauses, M30 exchanges them and ends
+    .pallet_end = 30,
     .function_letters = function_letters,
     .builders_letters = "PQ",
     .compensation_holds_move = true,

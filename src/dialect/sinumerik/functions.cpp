@@ -44,13 +44,14 @@ constexpr std::array<Row<Function>, 43> functions{{
     {"TRUNC", Function::trunc},
 }};
 
-constexpr std::array<Row<SystemVariable>, 44> variables{{
+constexpr std::array<Row<SystemVariable>, 46> variables{{
     {"$AA_IM", SystemVariable::machine_position}, {"$AA_IW", SystemVariable::work_position},
     {"$AA_S", SystemVariable::spindle_speed}, {"$AC_F", SystemVariable::feed}, {"$AC_MARKER", SystemVariable::marker},
     {"$AC_PARAM", SystemVariable::parameter}, {"$AC_SDIR", SystemVariable::spindle_direction},
     {"$AC_TIME", SystemVariable::timer}, {"$AC_TIMER", SystemVariable::timer}, {"$A_DAY", SystemVariable::clock},
     {"$A_HOUR", SystemVariable::clock}, {"$A_MINUTE", SystemVariable::clock}, {"$A_MONTH", SystemVariable::clock},
-    {"$A_MSECOND", SystemVariable::clock}, {"$A_SECOND", SystemVariable::clock}, {"$A_YEAR", SystemVariable::clock},
+    {"$A_MSECOND", SystemVariable::clock}, {"$A_OUT", SystemVariable::digital_output},
+    {"$A_OUTA", SystemVariable::analog_output}, {"$A_SECOND", SystemVariable::clock}, {"$A_YEAR", SystemVariable::clock},
     {"$PI", SystemVariable::pi},
     {"$P_ACTFRAME", SystemVariable::active_frame}, {"$P_AXN1", SystemVariable::channel_axis_name},
     {"$P_AXN2", SystemVariable::channel_axis_name}, {"$P_AXN3", SystemVariable::channel_axis_name},

@@ -102,6 +102,7 @@ inline constexpr program::Traits traits{
     .kept = kept_parameters,
     .own_functions = own_functions,
     .passed_functions = gears,
+    .tooth_feed_stays = true,
     .spindle_stops = spindle_stops,
     .modal_call_without_motion = true,
     .corner_may_be_tangential = true,

@@ -163,7 +163,7 @@ constexpr Entry words[]{
     value("FRC", Code::corner_feed), value("FRCM", Code::corner_feed_modal), no("FRCX", machine_function),
     block("FROM", synchronized_action), no("FTOCOF", file_data_access), no("FTOCON", file_data_access),
     no("FXS", feed_override_by_the_program), no("FXST", feed_override_by_the_program),
-    no("FXSW", feed_override_by_the_program), no("FZ", feed_override_by_the_program),
+    no("FXSW", feed_override_by_the_program), value("FZ", Code::feed_per_tooth),
     no("GEOAX", positioning_indexing_axis), no("GET", axis_spindle_exchange), no("GETACTT", tool_management),
     no("GETACTTD", tool_management), no("GETD", axis_spindle_exchange), no("GETDNO", tool_management),
     no("GETEXET", tool_management), no("GETFREELOC", tool_management), no("GETSELT", tool_management), off("GETT"),

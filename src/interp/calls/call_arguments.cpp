@@ -44,6 +44,20 @@ void note_lost_reference(Saying& run, const Parameter& p, const Unit& caller, Ex
         alarm(run, codes::bad_argument, caller.span(argument), "VAR " + name + " needs a variable here");
 }
 
+/// What is bound to a parameter, as the stream tells it.
+void note_argument(const Saying& run, const Parameter& p, Activation& callee) {
+    const Binding* b = callee.locals.find(p.name);
+    if (b == nullptr) return;
+    const Value v = b->array->get(b->offset);
+    cl::PartArgument told{run.env.names.text(p.name), std::nan(""), {}};
+    const bool known = !v.is_unknown() && !p.is_array;
+    if (known && v.is_text())
+        told.text = v.as_text();
+    else if (known && v.is_number())
+        told.value = v.number;
+    callee.arguments.push_back(std::move(told));
+}
+
 }  // namespace
 
 void bind_value(Saying& run, const Parameter& p, Value v, const base::Span& where, Scope& locals) {
@@ -86,12 +100,16 @@ void bind_arguments(Reckoning& run, const Unit& unit, const Call& call, Activati
         }
         if (i < 32) callee.arguments_given |= 1u << i;
         const bool reference = p.by_reference || p.is_array;
-        if (reference && bind_reference(run, p, caller, argument, callee.locals)) continue;
+        if (reference && bind_reference(run, p, caller, argument, callee.locals)) {
+            note_argument(run, p, callee);
+            continue;
+        }
         if (reference) note_lost_reference(run, p, caller, argument);
         Value v = evaluate(run, argument);
         if (run.stopped) return;
         if (v.type == Type::string && p.type == Type::axis && !v.is_unknown()) v.type = Type::axis;
         bind_value(run, p, std::move(v), caller.span(argument), callee.locals);
+        note_argument(run, p, callee);
     }
 }
 
@@ -160,6 +178,8 @@ void pass_arguments(Reckoning& run, const Call* call, Activation& callee) {
         if (call->arguments[i] == program::no_expr || is_empty(run, call->arguments[i])) continue;
         values[i] = number(run, call->arguments[i]);
         given[i] = true;
+        callee.arguments.push_back(
+            {program::parameter_name(*run.traits, static_cast<std::uint32_t>(i) + 1), values[i], {}});
     }
     for (std::uint32_t n = 1; n <= count && n <= 64; ++n) {
         callee.outer_arguments.emplace_back(run.parameters.get(n), run.parameters.is_set(n));

@@ -8,6 +8,7 @@
 #include "cycles/expand/expand.hpp"
 #include "interp/calls/calls.hpp"
 #include "interp/moves/cycle_steps.hpp"
+#include "interp/moves/small_infeed.hpp"
 
 namespace obrys::interp {
 
@@ -129,6 +130,7 @@ void call_hole(Calling& run, const HoleCall& call, const WayOfCall& calling) {
     if (needs_feed(d)) require_feed(run);
     if (run.stopped) return;
     cycles::Expansion e = cycles::expand(d, situation_of(run));
+    if (!doubt_infeeds(run, call.cycle->name, d, e, [&](CycleRole) { return call.where; })) return lose_position(run);
     if (!report_expansion(run, call.cycle->name, e)) return;
     const bool feeds = std::any_of(e.steps.begin(), e.steps.end(),
                                    [](const cl::Step& s) { return std::holds_alternative<cl::Feed>(s); });

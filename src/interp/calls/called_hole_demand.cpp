@@ -5,13 +5,14 @@
 #include <cmath>
 
 #include "base/codes.hpp"
+#include "cycles/hole/between_planes.hpp"
 #include "cycles/hole/metric.hpp"
 #include "interp/calls/calls.hpp"
 
 namespace obrys::interp {
 
 namespace codes = base::codes;
-using cl::CycleRole;
+using cycles::Said;
 using program::HoleArgument;
 using program::HoleShape;
 
@@ -53,7 +54,18 @@ double seconds_of(const Reckoning& run, double written) {
     return written >= 0 ? written : -written * 60 / run.spindle.speed;
 }
 
-void add(cycles::Demand& d, CycleRole role, double value) { d.values.push_back({role, value}); }
+template <class Cycle>
+Cycle between(const Planes& p) {
+    Cycle c;
+    c.surface = p.reference;
+    c.retract_plane = p.start;
+    c.bottom = p.bottom;
+    c.return_level = p.end;
+    return c;
+}
+
+/// Where 0 says nothing.
+Said unless_0(double written) { return written != 0 ? Said(written) : std::nullopt; }
 
 /// A feed in mm/min of a number in the unit in force.
 double per_minute(const Reckoning& run, double written) {
@@ -63,10 +75,6 @@ double per_minute(const Reckoning& run, double written) {
 
 /// 3 M3, 4 M4; 0 for all else.
 int turning(double written) { return written == 3 ? 1 : written == 4 ? -1 : 0; }
-
-void add_dwell(cycles::Demand& d, const Reckoning& run, const HoleCall& call, HoleArgument a, CycleRole role) {
-    if (const double written = call.get(a); written != 0) add(d, role, seconds_of(run, written));
-}
 
 /// After an infeed; 0 is 1 mm.
 double way_back(const HoleCall& call) {
@@ -98,34 +106,63 @@ std::optional<double> first_infeed(Saying& run, const HoleCall& call, const Plan
     return std::nullopt;
 }
 
-/// As a cycle that other controls have, too, where nothing more is said; else with all its dwells and falling infeeds.
-bool add_deep(Reckoning& run, const HoleCall& call, const Planes& p, cycles::Demand& d) {
-    const auto first = first_infeed(run, call, p);
-    if (!first) return false;
-    const bool out = call.get(HoleArgument::way_out) != 0;
-    const double factor = call.get(HoleArgument::feed_factor), degression = call.get(HoleArgument::degression);
-    const double dwell = call.get(HoleArgument::dwell_or_turns), last = call.get(HoleArgument::dwell_last);
-    const bool slower = factor != 0 && factor != 1;
-    const bool plain = degression == 0 && dwell == 0 && call.get(HoleArgument::dwell_first) == 0 && !slower;
-    d.kind = !plain ? cl::CycleKind::canned_deep : out ? cl::CycleKind::canned_peck : cl::CycleKind::canned_chip_break;
-    add(d, CycleRole::infeed, *first);
-    if (out)
-        add(d, CycleRole::stop_distance_first, stop_distance(run, call, p));
-    else
-        add(d, CycleRole::chip_break_distance, way_back(call));
-    const double bottom_dwell = last != 0 ? last : dwell;
-    if (plain && bottom_dwell != 0) add(d, CycleRole::dwell_bottom, seconds_of(run, bottom_dwell));
-    if (plain) return true;
-    if (degression >= 0) add(d, CycleRole::decrement, degression);
-    if (degression < 0) {
-        add(d, CycleRole::infeed_factor, -degression);
-        add(d, CycleRole::min_infeed, std::max(0.0, call.get(HoleArgument::least_infeed)));
+/// What the arguments say beyond a plain cycle of pecks.
+struct DeepWay {
+    double first = 0;  ///< infeed, mm
+    bool out = false;  ///< of the hole after each infeed
+    double factor = 0, degression = 0, dwell = 0, bottom_dwell = 0;
+
+    [[nodiscard]] bool is_slower() const { return factor != 0 && factor != 1; }
+};
+
+/// As a cycle that other controls have, too.
+cycles::Demand plain_pecks(Saying& run, const HoleCall& call, const Planes& p, const DeepWay& way, Said dwell) {
+    if (!way.out) {
+        auto d = between<cycles::ChipBreakDrilling>(p);
+        d.infeed = way.first;
+        d.chip_break_distance = way_back(call);
+        d.dwell_bottom = dwell;
+        return cycles::demand_of(d);
     }
-    add(d, CycleRole::dwell, seconds_of(run, dwell));
-    add(d, CycleRole::dwell_top, out ? seconds_of(run, call.get(HoleArgument::dwell_first)) : 0);
-    add(d, CycleRole::dwell_bottom, seconds_of(run, bottom_dwell));
-    add(d, CycleRole::feed_factor, slower ? factor * 100 : 100);
-    return true;
+    auto d = between<cycles::PeckDrilling>(p);
+    d.infeed = way.first;
+    d.stop_distance_first = stop_distance(run, call, p);
+    d.dwell_bottom = dwell;
+    return cycles::demand_of(d);
+}
+
+/// Plain where nothing more is said; else with all its dwells and falling infeeds.
+std::optional<cycles::Demand> deep(Reckoning& run, const HoleCall& call, const Planes& p) {
+    const auto first = first_infeed(run, call, p);
+    if (!first) return std::nullopt;
+    const double dwell = call.get(HoleArgument::dwell_or_turns), last = call.get(HoleArgument::dwell_last);
+    const DeepWay way{*first,
+                      call.get(HoleArgument::way_out) != 0,
+                      call.get(HoleArgument::feed_factor),
+                      call.get(HoleArgument::degression),
+                      dwell,
+                      last != 0 ? last : dwell};
+    const bool plain =
+        way.degression == 0 && dwell == 0 && call.get(HoleArgument::dwell_first) == 0 && !way.is_slower();
+    if (plain)
+        return plain_pecks(run, call, p, way,
+                           way.bottom_dwell != 0 ? Said(seconds_of(run, way.bottom_dwell)) : std::nullopt);
+    auto d = between<cycles::DeepDrilling>(p);
+    d.infeed = way.first;
+    if (way.out)
+        d.stop_distance_first = stop_distance(run, call, p);
+    else
+        d.chip_break_distance = way_back(call);
+    if (way.degression >= 0) d.decrement = way.degression;
+    if (way.degression < 0) {
+        d.infeed_factor = -way.degression;
+        d.min_infeed = std::max(0.0, call.get(HoleArgument::least_infeed));
+    }
+    d.dwell = seconds_of(run, dwell);
+    d.dwell_top = way.out ? seconds_of(run, call.get(HoleArgument::dwell_first)) : 0;
+    d.dwell_bottom = seconds_of(run, way.bottom_dwell);
+    d.feed_factor = way.is_slower() ? way.factor * 100 : 100;
+    return cycles::demand_of(d);
 }
 
 /// The pitch in mm, negative left-hand; 0 where none is written; nothing after an alarm.
@@ -148,36 +185,35 @@ std::optional<double> pitch_of(Reckoning& run, const HoleCall& call) {
     return std::nullopt;
 }
 
-bool add_rigid(Reckoning& run, const HoleCall& call, cycles::Demand& d) {
-    d.kind = cl::CycleKind::canned_tap_rigid;
+std::optional<cycles::Demand> rigid(Reckoning& run, const HoleCall& call, const Planes& p) {
     const auto pitch = pitch_of(run, call);
-    if (!pitch) return false;
+    if (!pitch) return std::nullopt;
     if (*pitch == 0) {
         hole_alarm(run, call, "the thread has no pitch", "write MPIT or PIT", "61001");
-        return false;
+        return std::nullopt;
     }
-    add(d, CycleRole::pitch, std::abs(*pitch));
-    add(d, CycleRole::spindle_direction, *pitch < 0 ? -1 : 1);
-    add(d, CycleRole::starts_spindle, 1);
+    auto d = between<cycles::RigidTapping>(p);
+    d.pitch = std::abs(*pitch);
+    d.spindle_direction = *pitch < 0 ? -1 : 1;
+    d.starts_spindle = 1;
     const double in = call.get(HoleArgument::speed_in), out = call.get(HoleArgument::speed_out);
-    if (in != 0) add(d, CycleRole::spindle_speed, in);
-    if (out != 0 && out != in) add(d, CycleRole::rpm_factor, out / (in != 0 ? in : run.spindle.speed));
-    if (const double s = call.get(HoleArgument::dwell); s != 0) add(d, CycleRole::dwell_bottom, s);
-    add(d, CycleRole::spindle_after, turning(call.get(HoleArgument::direction_after)));
+    d.spindle_speed = unless_0(in);
+    if (out != 0 && out != in) d.rpm_factor = out / (in != 0 ? in : run.spindle.speed);
+    d.dwell_bottom = unless_0(call.get(HoleArgument::dwell));
+    d.spindle_after = turning(call.get(HoleArgument::direction_after));
     const double steps = call.get(HoleArgument::steps), infeed = call.get(HoleArgument::infeed);
-    if (steps == 0 || infeed == 0) return true;
-    add(d, CycleRole::infeed, std::abs(infeed));
+    if (steps == 0 || infeed == 0) return cycles::demand_of(d);
+    d.infeed = std::abs(infeed);
     if (steps == 1)
-        add(d, CycleRole::chip_break_distance, way_back(call));
+        d.chip_break_distance = way_back(call);
     else
-        add(d, CycleRole::stop_distance_first, 0);
-    return true;
+        d.stop_distance_first = 0;
+    return cycles::demand_of(d);
 }
 
-bool add_floating(Reckoning& run, const HoleCall& call, cycles::Demand& d) {
-    d.kind = cl::CycleKind::canned_tap_floating;
+std::optional<cycles::Demand> floating(Reckoning& run, const HoleCall& call, const Planes& p) {
     const auto pitch = pitch_of(run, call);
-    if (!pitch) return false;
+    if (!pitch) return std::nullopt;
     const int back = turning(call.get(HoleArgument::direction_back));
     const int in = back != 0 ? -back : *pitch < 0 ? -1 : run.spindle.direction;
     constexpr double with_encoder = 0, with_encoder_and_dwell = 20, computed = 11;
@@ -185,64 +221,62 @@ bool add_floating(Reckoning& run, const HoleCall& call, cycles::Demand& d) {
     const bool by_pitch = encoder == with_encoder || encoder == with_encoder_and_dwell || encoder == computed;
     if (by_pitch && *pitch == 0) {
         hole_alarm(run, call, "the thread has no pitch", "write MPIT or PIT, or ENC = 1 with F in force", "61001");
-        return false;
+        return std::nullopt;
     }
-    if (in != 0) add(d, CycleRole::spindle_direction, in);
-    if (by_pitch) add(d, CycleRole::pitch, std::abs(*pitch));
-    if (const double s = call.get(HoleArgument::dwell); s != 0) add(d, CycleRole::dwell_bottom, s);
+    auto d = between<cycles::FloatingTapping>(p);
+    d.spindle_direction = unless_0(in);
+    if (by_pitch) d.pitch = std::abs(*pitch);
+    d.dwell_bottom = unless_0(call.get(HoleArgument::dwell));
     // 0 reverses by itself: what SDAC says does not count then.
-    if (back != 0) add(d, CycleRole::spindle_after, turning(call.get(HoleArgument::direction_after)));
-    return true;
+    if (back != 0) d.spindle_after = turning(call.get(HoleArgument::direction_after));
+    return cycles::demand_of(d);
 }
 
 /// Of boring that stops the spindle: it is turned on by the cycle, and stands behind it.
-bool add_direction(Saying& run, const HoleCall& call, cycles::Demand& d) {
+template <class Cycle>
+bool turns(Saying& run, const HoleCall& call, Cycle& d) {
     const int direction = turning(call.get(HoleArgument::direction));
     if (direction == 0) {
         hole_alarm(run, call, "no direction of the spindle is programmed", "write SDIR = 3 (M3) or 4 (M4)", "61102");
         return false;
     }
-    add(d, CycleRole::spindle_direction, direction);
-    add(d, CycleRole::starts_spindle, 1);
-    add(d, CycleRole::spindle_after, 0);
-    if (const double s = call.get(HoleArgument::dwell); s != 0) add(d, CycleRole::dwell_bottom, s);
+    d.spindle_direction = direction;
+    d.starts_spindle = 1;
+    d.spindle_after = 0;
+    d.dwell_bottom = unless_0(call.get(HoleArgument::dwell));
     return true;
 }
 
-bool add_orient(Saying& run, const HoleCall& call, cycles::Demand& d) {
-    d.kind = cl::CycleKind::canned_bore_orient;
-    if (!add_direction(run, call, d)) return false;
-    add(d, CycleRole::shift_u, call.get(HoleArgument::shift_u));
-    add(d, CycleRole::shift_v, call.get(HoleArgument::shift_v));
-    if (const double w = call.get(HoleArgument::shift_w); w != 0) add(d, CycleRole::shift_w, w);
-    if (const auto angle = call.find(HoleArgument::spindle_angle)) add(d, CycleRole::spindle_angle, *angle);
-    return true;
+std::optional<cycles::Demand> oriented(Saying& run, const HoleCall& call, const Planes& p) {
+    auto d = between<cycles::OrientedBoring>(p);
+    if (!turns(run, call, d)) return std::nullopt;
+    d.shift_u = call.get(HoleArgument::shift_u);
+    d.shift_v = call.get(HoleArgument::shift_v);
+    d.shift_w = unless_0(call.get(HoleArgument::shift_w));
+    d.spindle_angle = call.find(HoleArgument::spindle_angle);
+    return cycles::demand_of(d);
 }
 
-bool add_shape(Reckoning& run, const HoleCall& call, const Planes& p, cycles::Demand& d) {
-    switch (call.cycle->shape) {
-        case HoleShape::drill:
-            d.kind = cl::CycleKind::canned_drill;
-            add_dwell(d, run, call, HoleArgument::dwell_or_turns, CycleRole::dwell_bottom);
-            return true;
-        case HoleShape::deep_drill: return add_deep(run, call, p, d);
-        case HoleShape::tap_rigid: return add_rigid(run, call, d);
-        case HoleShape::tap_floating: return add_floating(run, call, d);
-        case HoleShape::bore_feed:
-            d.kind = cl::CycleKind::canned_bore_feed;
-            if (const double s = call.get(HoleArgument::dwell); s != 0) add(d, CycleRole::dwell_bottom, s);
-            if (const double f = call.get(HoleArgument::feed_in); f != 0)
-                add(d, CycleRole::feed_plunge, per_minute(run, f));
-            if (const double f = call.get(HoleArgument::feed_out); f != 0)
-                add(d, CycleRole::feed_retract, per_minute(run, f));
-            return true;
-        case HoleShape::bore_orient: return add_orient(run, call, d);
-        case HoleShape::bore_stop:
-            d.kind = cl::CycleKind::canned_bore_stop;
-            if (call.cycle->stops_program) add(d, CycleRole::stops_program, 1);
-            return add_direction(run, call, d);
-    }
-    return false;
+std::optional<cycles::Demand> stopped(Saying& run, const HoleCall& call, const Planes& p) {
+    auto d = between<cycles::StopBoring>(p);
+    if (!turns(run, call, d)) return std::nullopt;
+    if (call.cycle->stops_program) d.stops_program = 1;
+    return cycles::demand_of(d);
+}
+
+cycles::Demand at_feed(const Reckoning& run, const HoleCall& call, const Planes& p) {
+    auto d = between<cycles::FeedBoring>(p);
+    d.dwell_bottom = unless_0(call.get(HoleArgument::dwell));
+    if (const double f = call.get(HoleArgument::feed_in); f != 0) d.feed_plunge = per_minute(run, f);
+    if (const double f = call.get(HoleArgument::feed_out); f != 0) d.feed_retract = per_minute(run, f);
+    return cycles::demand_of(d);
+}
+
+cycles::Demand drilled(const Reckoning& run, const HoleCall& call, const Planes& p) {
+    auto d = between<cycles::Drilling>(p);
+    if (const double written = call.get(HoleArgument::dwell_or_turns); written != 0)
+        d.dwell_bottom = seconds_of(run, written);
+    return cycles::demand_of(d);
 }
 
 }  // namespace
@@ -250,12 +284,16 @@ bool add_shape(Reckoning& run, const HoleCall& call, const Planes& p, cycles::De
 std::optional<cycles::Demand> demand_of(Reckoning& run, const HoleCall& call) {
     const auto planes = planes_of(run, call);
     if (!planes) return std::nullopt;
-    cycles::Demand d;
-    add(d, CycleRole::surface, planes->reference);
-    add(d, CycleRole::retract_plane, planes->start);
-    add(d, CycleRole::bottom, planes->bottom);
-    add(d, CycleRole::return_level, planes->end);
-    return add_shape(run, call, *planes, d) ? std::optional(d) : std::nullopt;
+    switch (call.cycle->shape) {
+        case HoleShape::drill: return drilled(run, call, *planes);
+        case HoleShape::deep_drill: return deep(run, call, *planes);
+        case HoleShape::tap_rigid: return rigid(run, call, *planes);
+        case HoleShape::tap_floating: return floating(run, call, *planes);
+        case HoleShape::bore_feed: return at_feed(run, call, *planes);
+        case HoleShape::bore_orient: return oriented(run, call, *planes);
+        case HoleShape::bore_stop: return stopped(run, call, *planes);
+    }
+    return std::nullopt;
 }
 
 }  // namespace obrys::interp

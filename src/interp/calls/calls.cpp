@@ -106,7 +106,7 @@ void enter(Calling& run, const Unit& unit, const Call* call, const base::Span& w
     hide_locals(run, unit, callee);
     pass_arguments(run, call, callee);
     if (run.stopped) return;
-    if (!main) begin_part(run, cl::PartKind::call, unit.name, 1, callee.repeats + 1);
+    if (!main) begin_part(run, cl::PartKind::call, unit.name, 1, callee.repeats + 1, callee.arguments);
     run.calls.push_back(std::move(callee));
     if (call != nullptr && call->first_block != program::no_expr && !begin_at(run, first, where)) return;
     if (unit.traits->unit_per_program) run.modal.inch_geometry = run.modal.inch_feed = unit.inch;
@@ -180,7 +180,8 @@ void leave(Calling& run) {
         act.pc = act.entry;
         end_sections(run);
         end_part(run);
-        begin_part(run, cl::PartKind::call, act.unit->name, act.repeats + 1 - act.repeats_left, act.repeats + 1);
+        begin_part(run, cl::PartKind::call, act.unit->name, act.repeats + 1 - act.repeats_left, act.repeats + 1,
+                   act.arguments);
         act.sections.clear();
         act.locals.truncate(act.own_bindings);
         return;

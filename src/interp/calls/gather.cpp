@@ -46,8 +46,9 @@ std::optional<int> function_number(Saying& run, Code letter, const base::Span& w
 }
 
 void add_function(Moving& run, Code letter, const base::Span& where, double v) {
-    if (const auto n = function_number(run, letter, where, v))
-        (letter == Code::h ? run.block.h : run.block.m).push_back(*n);
+    const auto n = function_number(run, letter, where, v);
+    if (n && letter == Code::h) run.block.h.push_back({'H', *n});
+    if (n && letter != Code::h) run.block.m.push_back(*n);
 }
 
 void tool_word(Moving& run, const Word& w) {

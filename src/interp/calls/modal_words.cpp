@@ -22,6 +22,7 @@ void set_feed_mode(Reckoning& run, cl::FeedMode mode) {
     if (run.traits->needs_feed) run.feed_valid = false;  // also where the mode stays
     if (run.modal.feed_mode == mode) return;
     run.modal.feed_mode = mode;
+    run.modal.tooth_feed.reset();  // SINUMERIK ONE, NC programming 12/2019, "Tooth feedrate": deleted as F is
     run.feed_dropped = true;
     run.feed_valid = false;  // an F of the old kind means nothing in the new one
 }

@@ -77,9 +77,31 @@ bool is_of_spindle(Code plain) {
            plain == Code::spindle_position || plain == Code::speed_limit;
 }
 
+/// A word of another spindle as the stream has it.
+cl::OtherSpindle told_of(std::uint32_t number, Code word, double value) {
+    constexpr int oriented = 19;
+    cl::OtherSpindle told{.number = number};
+    if (word == Code::spindle) told.speed = value;
+    if (word == Code::speed_limit) told.limit = value;
+    if (word == Code::spindle_position) told.held = value;
+    if (word != Code::m) return told;
+    const auto m = base::whole<int>(value, 0, 1'000'000'000);
+    if (!m)
+        told.direction = std::nullopt, told.function = -1;  // which one is not known, as is said
+    else if (*m == 3 || *m == 4)
+        told.direction = static_cast<std::int8_t>(*m == 3 ? 1 : -1);
+    else if (*m == 5)
+        told.direction = std::int8_t{0};
+    else if (*m == oriented)
+        told.held = std::nan("");
+    else
+        told.function = *m;
+    return told;
+}
+
 /// A word of another spindle than the master. That of a mill may be the one with the tool in it, on lathes the master
 /// turns what is cut.
-void word_of_other_spindle(Reckoning& run, const program::Named& n, double extension) {
+void word_of_other_spindle(Telling& run, const program::Named& n, double extension) {
     const std::string name = extended_name(run.env.names.text(n.name), extension);
     if (n.plain == Code::tool || n.plain == Code::edge) {
         static_cast<void>(evaluate(run, n.value));
@@ -92,6 +114,7 @@ void word_of_other_spindle(Reckoning& run, const program::Named& n, double exten
     const double value = number(run, n.value);
     if (run.stopped) return;
     other_spindle(run, n.plain, extension, value);
+    if (const auto k = base::whole<std::uint32_t>(extension, 1, 999)) emit(run, told_of(*k, n.plain, value));
     if (extension == 1) return;  // SETMS has been said
     const bool turns = n.plain == Code::spindle_position ||
                        (n.plain == Code::m &&
@@ -123,9 +146,12 @@ void extended_value(Calling& run, const program::Statement& s, const program::Wo
                          letters + "[…]= is not run: this address has no such extension");
     if (is_of_spindle(n.plain) && index.number != 0 && index.number != run.spindles.master)
         return word_of_other_spindle(run, n, index.number);
+    const std::size_t told = run.block.h.size();
     gather(run, s,
            program::make_word(n.plain, static_cast<std::uint32_t>(program::Form::expression),
                               static_cast<std::int32_t>(n.value), w.offset, w.length));
+    if (run.block.h.size() > told)
+        run.block.h.back().extension = base::whole<std::uint32_t>(index.number, 0, 99'999'999).value_or(0);
 }
 
 /// X[2]=: the axis X2.

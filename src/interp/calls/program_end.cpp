@@ -9,6 +9,10 @@ namespace codes = base::codes;
 
 namespace {
 
+cl::Stop end_by(const Saying& run, int m) {
+    return {cl::StopKind::end, m == run.traits->pallet_end, m == run.traits->end_that_stays};
+}
+
 /// M2 and M30 return from a called program, or end the run where the control says so.
 void end_of_program(Calling& run, int m) {
     const bool called = run.calls.size() > 1;
@@ -17,7 +21,7 @@ void end_of_program(Calling& run, int m) {
     if (!called || run.unit().traits->may_end_anywhere) say_callers_rest(run, word);
     if (called && run.unit().traits->may_end_anywhere) {
         hear_end(run, m);
-        emit(run, cl::Stop{cl::StopKind::end});
+        emit(run, end_by(run, m));
         run.stopped = true;
         return;
     }
@@ -30,7 +34,7 @@ void end_of_program(Calling& run, int m) {
     if (!called) hear_end(run, m);
     // What was cancelled behind the last move is not to hold for the next program.
     if (!called && !run.told.parts.empty()) emit_frame(run);
-    if (!called) emit(run, cl::Stop{cl::StopKind::end});
+    if (!called) emit(run, end_by(run, m));
     leave(run);
 }
 
@@ -49,7 +53,9 @@ void after_motion(Calling& run) {
     for (const int m : functions) {
         if (run.stopped) return;
         stop_function(run, m, false);
-        if (m == 0 || m == 1) {
+        if (m != 0 && m == run.traits->pallet_stop) {
+            emit(run, cl::Stop{cl::StopKind::program, true});
+        } else if (m == 0 || m == 1) {
             emit(run, cl::Stop{m == 0 ? cl::StopKind::program : cl::StopKind::optional});
         } else if (m == 2 || m == 30 || m == 17) {
             flush_path(run);

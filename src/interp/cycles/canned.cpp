@@ -6,9 +6,11 @@
 #include <limits>
 
 #include "base/codes.hpp"
+#include "base/text.hpp"
 #include "base/whole.hpp"
 #include "cycles/expand/expand.hpp"
 #include "interp/cycles/cycles.hpp"
+#include "interp/moves/small_infeed.hpp"
 
 namespace obrys::interp {
 
@@ -41,6 +43,7 @@ void begin_cycle(Moving& run, const program::CannedCycle& c) {
                 if (before[k].code == c.words[i].code && before[k].length == c.words[i].length && s.given[k]) {
                     next.values[i] = s.values[k];
                     next.given[i] = true;
+                    next.places[i] = s.places[k];
                 }
     }
     s = next;
@@ -84,6 +87,7 @@ void take_words(Cycling& run, const program::CannedCycle& c, const PlaneAxes& a)
             s.values[i] = run.block.get(w.code) * (w.length ? unit : 1) * w.factor;
             if (w.sign_ignored) s.values[i] = std::abs(s.values[i]);
             s.given[i] = true;
+            s.places[i] = place_of_word(run, w.code);
             if (w.role == CycleRole::dwell_bottom || w.role == CycleRole::dwell) s.last_dwell = s.values[i];
         } else if (run.traits->tap_keeps_dwell && taps(c.kind) && w.role == CycleRole::dwell && s.last_dwell) {
             s.values[i] = *s.last_dwell;
@@ -101,7 +105,10 @@ std::optional<double> repeats(Moving& run) {
         lose_position(run);
         return std::nullopt;
     }
-    alarm(run, codes::value_range, run.here(), "L must be a whole number of repetitions");
+    const base::Span word = place_of_word(run, Code::l);
+    const std::string_view text = base::trim(run.env.sources.text(word));
+    const std::string letter = word == run.here() || text.empty() ? "L" : std::string(text.substr(0, 1));
+    alarm(run, codes::value_range, word, base::to_upper(letter) + " must be a whole number of repetitions");
     return std::nullopt;
 }
 
@@ -134,6 +141,13 @@ CycleRole role_of(const program::CannedCycle& c, const CannedState& s, std::size
     const program::CannedWord& w = c.words[word];
     const bool beside = w.beside != nullptr && has_word(c, s, w.beside->word) && !has_word(c, s, w.beside->unless);
     return beside ? w.beside->role : w.role;
+}
+
+/// Where it was said, which may be blocks ago.
+base::Span place_of_role(const Moving& run, const program::CannedCycle& c, CycleRole role) {
+    for (std::size_t i = 0; i < c.words.size() && i < run.canned.given.size(); ++i)
+        if (run.canned.given[i] && role_of(c, run.canned, i) == role) return run.canned.places[i];
+    return run.here();
 }
 
 cycles::Demand demand_at(const Moving& run, const program::CannedCycle& c, const geom::Vec3& target, double initial) {
@@ -190,9 +204,13 @@ void rise(Telling& run, double retract) {
 }
 
 /// What is wrong with the first hole is said before anything moves.
-bool begin_series(Telling& run, const program::CannedCycle& c, const cycles::Demand& demand, double began_at) {
+bool begin_series(Moving& run, const program::CannedCycle& c, const cycles::Demand& demand, double began_at) {
     if (demand.get(CycleRole::rise_first, 0) != 0) {
-        const cycles::Expansion e = cycles::expand(demand, situation_of(run));
+        cycles::Expansion e = cycles::expand(demand, situation_of(run));
+        if (!doubt_infeeds(run, c.name, demand, e, [&](CycleRole r) { return place_of_role(run, c, r); })) {
+            lose_position(run);
+            return false;
+        }
         if (std::any_of(e.complaints.begin(), e.complaints.end(), [](const auto& k) { return k.fatal; }))
             return report_expansion(run, c.name, e);
         const double retract = demand.get(CycleRole::retract_plane);
@@ -224,6 +242,8 @@ void run_holes(Moving& run, const program::CannedCycle& c, const PlaneAxes& a) {
         const cycles::Demand demand = demand_at(run, c, into_plane(at, a), initial);
         if (i == 0 && !begin_series(run, c, demand, initial)) return;
         cycles::Expansion e = cycles::expand(demand, situation_of(run));
+        if (!doubt_infeeds(run, c.name, demand, e, [&](CycleRole r) { return place_of_role(run, c, r); }))
+            return lose_position(run);
         if (!report_expansion(run, c.name, e)) return;
         emit_hole(run, c.name, told(demand), e, {cl::CycleCall::modal, pass, passes});
         if (!e.simulated) return;                     // nor is any hole behind it: where the tool stands is not known

@@ -12,6 +12,7 @@
 #include "interp/complaints.hpp"
 #include "interp/cycles/contour_cycle.hpp"
 #include "interp/cycles/cycles.hpp"
+#include "interp/moves/small_infeed.hpp"
 #include "interp/stream/path_stage.hpp"
 
 namespace obrys::interp {
@@ -128,6 +129,12 @@ std::optional<cycles::Expansion> expansion(Cycling& run, const ActiveCycle& c, c
     return all;
 }
 
+base::Span place_of_setting(const Saying& run, const ActiveCycle& c, cl::CycleRole role) {
+    for (const program::CycleSetting& s : c.definition->settings)
+        if (s.role == role) return s.where;
+    return run.here();
+}
+
 void call_program_of(Calling& run, const ActiveCycle& c) {
     if (c.texts.empty()) return;
     program::Call call;
@@ -158,6 +165,24 @@ void define_cycle(Cycling& run, const CycleDefinition& d) {
 
 void call_cycle(Cycling& run) { call_cycle(run, {}, {run.cycle.modal ? cl::CycleCall::modal : cl::CycleCall::single}); }
 
+namespace {
+
+/// Climb or up-cut is what a milling cycle asks for; the manual at hand does not say which of them a mirror image
+/// leaves.
+void say_mirrored(Moving& run, const ActiveCycle& c) {
+    const auto& settings = c.definition->settings;
+    const bool directed = std::any_of(settings.begin(), settings.end(), [](const program::CycleSetting& s) {
+        return s.role == cl::CycleRole::direction;
+    });
+    if (!directed || run.capture != nullptr || !(geom::determinant(run.frame) < 0)) return;
+    assume(run, run.here(),
+           c.definition->name +
+               " in a mirror image: the path is taken to be mirrored with all else, so that the tool runs around the "
+               "figure the other way");
+}
+
+}  // namespace
+
 void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calling) {
     if (run.cycle.definition == nullptr) {
         alarm(run, codes::missing_label, run.here(), "no cycle is defined that could be called here",
@@ -185,7 +210,16 @@ void call_cycle(Cycling& run, const CycleValues& instead, const WayOfCall& calli
         say_unknown_words(run, c);
         ContourElements elements;
         std::optional<cycles::Expansion> e = expansion(run, c, instead, elements);
-        if (e) report(run, c, *e);
+        const bool meant = !e || doubt_infeeds(run, c.definition->name, demand_of(run, c, instead), *e,
+                                               [&](cl::CycleRole r) { return place_of_setting(run, c, r); });
+        if (e && meant) {
+            report(run, c, *e);
+            say_mirrored(run, c);
+        }
+        if (!meant) {
+            e.reset();
+            lose_position(run);
+        }
         if (e) emit_along(run, e->steps, elements, situation_of(run).at);
         if (run.stopped) return;
         if (run.feed_valid) emit(run, cl::Feed{run.feed, run.modal.feed_mode});

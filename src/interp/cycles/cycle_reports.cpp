@@ -17,7 +17,7 @@ void report(Saying& run, const ActiveCycle& c, const std::vector<cycles::Complai
         for (const CycleSetting& s : c.definition->settings)
             if (k.role && s.role == *k.role) where = s.where;
         base::Diagnostic d{k.fatal ? base::Severity::error : base::Severity::warning,
-                           k.fatal ? codes::value_range : codes::assumption,
+                           k.fatal || k.doubtful ? codes::value_range : codes::assumption,
                            where,
                            c.definition->name + ": " + k.text,
                            k.remedy,

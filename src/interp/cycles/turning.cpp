@@ -8,6 +8,7 @@
 #include "base/codes.hpp"
 #include "interp/capture.hpp"
 #include "interp/cycles/cycles.hpp"
+#include "interp/moves/small_infeed.hpp"
 
 namespace obrys::interp {
 
@@ -76,6 +77,12 @@ void take_words(const Moving& run, const program::CannedCycle& c, cycles::Demand
                 {w.role, run.block.get(w.code) * (w.length ? unit : 1) * w.factor * (w.across && diameters ? 0.5 : 1)});
 }
 
+base::Span place_of_role(const Saying& run, const program::CannedCycle& c, CycleRole role) {
+    for (const program::CannedWord& w : c.words)
+        if (w.role == role) return place_of_word(run, w.code);
+    return run.here();
+}
+
 }  // namespace
 
 void emit_turning_steps(Moving& run, std::vector<cl::Step>& steps) {
@@ -108,6 +115,10 @@ bool turning_cycle(Moving& run) {
     }
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
+    if (!doubt_infeeds(run, c->name, demand.cycle, e, [&](CycleRole r) { return place_of_role(run, *c, r); })) {
+        lose_position(run);
+        return true;
+    }
     if (!report_expansion(run, c->name, e)) return false;
     begin_bracket(run, demand.cycle, c->name);
     emit_turning_steps(run, e.steps);

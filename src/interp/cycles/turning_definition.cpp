@@ -6,6 +6,7 @@
 #include "cycles/names.hpp"
 #include "interp/cycles/cycles.hpp"
 #include "interp/cycles/turned_contour.hpp"
+#include "interp/moves/small_infeed.hpp"
 #include "interp/stream/path_stage.hpp"
 
 namespace obrys::interp {
@@ -41,8 +42,8 @@ cycles::Demand demand_of_turning(Cycling& run, const ActiveCycle& c) {
     const CycleDefinition& d = *c.definition;
     cycles::Demand out;
     out.kind = d.kind;
-    for (const auto& [key, value] : run.cycle_store)
-        if (key.first == d.store && d.store != 0) out.values.push_back({key.second, value});
+    for (const auto& [key, kept] : run.cycle_store)
+        if (key.first == d.store && d.store != 0) out.values.push_back({key.second, kept.value});
     for (std::size_t i = 0; i < c.values.size(); ++i)
         out.values.push_back({d.settings[i].role, in_mm(run, d.settings[i], c.values[i])});
     for (const program::CycleDefault& o : d.otherwise) {
@@ -56,7 +57,7 @@ cycles::Demand demand_of_turning(Cycling& run, const ActiveCycle& c) {
 void keep(Cycling& run, const ActiveCycle& c) {
     for (std::size_t i = 0; i < c.values.size(); ++i) {
         const CycleSetting& s = c.definition->settings[i];
-        run.cycle_store[{c.definition->store, s.role}] = in_mm(run, s, c.values[i]);
+        run.cycle_store[{c.definition->store, s.role}] = {in_mm(run, s, c.values[i]), s.where};
     }
 }
 
@@ -123,6 +124,14 @@ private:
     Modal before_;
 };
 
+/// Of this block, or of an earlier one that the control keeps.
+base::Span place_of_setting(const Cycling& run, const CycleDefinition& d, CycleRole role) {
+    for (const CycleSetting& s : d.settings)
+        if (s.role == role) return s.where;
+    const auto kept = run.cycle_store.find({d.store, role});
+    return kept != run.cycle_store.end() && d.store != 0 ? kept->second.where : d.where;
+}
+
 /// Where the fault lies: a setting, an element of the contour, or the cycle as such.
 base::Span place_of(const CycleDefinition& d, const cycles::Complaint& k, const TurnedContour* contour) {
     if (k.element && contour != nullptr && *k.element < contour->places.size()) return contour->places[*k.element];
@@ -141,7 +150,10 @@ bool report_turning(Reckoning& run, const CycleDefinition& d, const cycles::Expa
                   k.remedy.empty() && k.role ? "give it in the block of the cycle" : k.remedy);
             return false;
         }
-        assume(run, where, d.name + ": " + k.text, k.remedy);
+        if (k.doubtful)
+            doubt(run, codes::value_range, where, d.name + ": " + k.text, k.remedy);
+        else
+            assume(run, where, d.name + ": " + k.text, k.remedy);
     }
     if (!e.assumption.empty()) assume(run, d.where, d.name + ": " + std::string(e.assumption));
     if (e.simulated) return true;
@@ -245,6 +257,11 @@ void define_turning_cycle(Cycling& run, const ActiveCycle& c) {
     if (takes_defined_contour(d.kind)) off.emplace(run);
     demand.situation = situation_of(run);
     cycles::Expansion e = cycles::expand_turning(demand);
+    if (!doubt_infeeds(run, d.name, demand.cycle, e, [&](CycleRole r) { return place_of_setting(run, d, r); })) {
+        lose_position(run);
+        if (blocks) leave_out(run, d, self, *blocks);
+        return;
+    }
     if (!report_turning(run, d, e, contour ? &*contour : nullptr)) return;
     begin_bracket(run, demand.cycle, d.name);
     emit_turning_steps(run, e.steps);

@@ -1,5 +1,7 @@
 /// Onto a contour and off it: APPR and DEP, G147 … G341.
 
+#include <algorithm>
+
 #include "base/codes.hpp"
 #include "cl/spline.hpp"
 #include "interp/capture.hpp"
@@ -99,6 +101,18 @@ void push_approach(Moving& run, const path::SmoothPath& p, const path::Setting& 
     }
 }
 
+/// The manuals show the arc of LCT on the side of the compensation alone, and say nothing of a point on the other one.
+void say_side_of_arc(Moving& run, const Special& s, path::Side side, const path::SmoothPath& p) {
+    const bool line_and_arc = s.kind == SpecialKind::approach_arc_line || s.kind == SpecialKind::departure_arc_line;
+    if (!line_and_arc || side == path::Side::off || run.capture != nullptr) return;
+    const auto arc = std::find_if(p.path.begin(), p.path.end(), [](const path::Element& e) { return path::is_arc(e); });
+    if (arc == p.path.end() || (arc->sweep > 0) == (side == path::Side::left)) return;
+    assume(run, run.here(),
+           "the way comes from the other side of the contour than that of the radius compensation, or leads there: the "
+           "arc is taken to lie on the side of the point",
+           "begin and end on the side of the tool");
+}
+
 /// The manuals know an approach from a point without compensation alone (P_S: "approached without radius compensation",
 /// iTNC 530 and TNC 640 User's Manual, "Important positions for approach and departure").
 void leave_contour_before(Telling& run) {
@@ -135,6 +149,7 @@ void approach(Moving& run, const Special& s) {
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped) return;
     if (!run.block.rapid) require_feed(run);
+    if (p.ok()) say_side_of_arc(run, s, contour.side, p);
     if (p.ok() && run.capture == nullptr) {
         run.path->tell_lead(run, lead_of(run, s, target, true));
         own_feed(run, true);
@@ -184,6 +199,7 @@ void departure(Moving& run, const Special& s, Modal compensation_before) {
     if (!p.ok()) complain(run, p.failure);
     if (run.stopped || !p.ok() || p.path.empty()) return;
     if (!run.block.rapid) require_feed(run);
+    say_side_of_arc(run, s, contour.side, p);
     if (run.capture == nullptr) {
         run.path->tell_lead(run, lead_of(run, s, target, false));
         own_feed(run, true);

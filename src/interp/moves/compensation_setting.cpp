@@ -10,7 +10,7 @@
 #include "interp/values/nose_of_tool.hpp"
 #include "path/compensation/preset.hpp"
 #include "path/nose.hpp"
-#include "shop/files/linuxcnc/table.hpp"
+#include "shop/orientation.hpp"
 
 #include "interp/moves/moves.hpp"
 
@@ -69,7 +69,7 @@ int table_nose_of(Reckoning& run, double radius) {
     if (run.tool.data == nullptr) return 0;
     const std::optional<int> nose = table_orientation(*run.tool.data);
     if (nose || radius == 0 || run.env.machine.kind != shop::MachineKind::lathe) return nose.value_or(0);
-    return shop::table_orientation(nose_of(run, *run.tool.data));
+    return shop::mirrored_orientation(nose_of(run, *run.tool.data));
 }
 
 std::string active_edge(const Reckoning& run) {

@@ -124,7 +124,10 @@ bool report_expansion(Reckoning& run, std::string_view name, const cycles::Expan
             alarm(run, codes::value_range, run.here(), cycle + ": " + k.text, k.remedy);
             return false;
         }
-        assume(run, run.here(), cycle + ": " + k.text, k.remedy);
+        if (k.doubtful)
+            doubt(run, codes::value_range, run.here(), cycle + ": " + k.text, k.remedy);
+        else
+            assume(run, run.here(), cycle + ": " + k.text, k.remedy);
     }
     if (!e.assumption.empty()) assume(run, run.here(), cycle + ": " + std::string(e.assumption));
     if (e.simulated) return true;

@@ -98,8 +98,7 @@ void to_home(Moving& run, bool all) {
                "the home position of " + unknown_axes(to) +
                    " is not known in the workpiece frame: moves to and from it are simulated as far as "
                    "they are known",
-               "give home of the axes in the machine file and the zero offset in [datum] of the job, or the parameter "
-               "file of the control");
+               wanted_for_home(run, to, place));
     run.offsets.lost = run.offsets.lost || !geom::is_finite(to);
     if (geom::is_finite(to)) emit_frame(run);  // it is a place in that frame
     run.position = to;

@@ -65,6 +65,20 @@ void assume_away(Reckoning& run) {
                " = { x = 0.0, y = 0.0, z = -350.0 }");
 }
 
+/// Of the axes of the block.
+std::string wanted_here(const Moving& run) {
+    cl::MachinePlace place;
+    geom::Vec3 at;
+    for (int k = 0; k < 3; ++k) {
+        const auto axis = static_cast<std::size_t>(k);
+        place.axes[axis] = run.block.has(axis_code(k));
+        coordinate(at, k) = ahead(run, k);
+        const shop::MachineAxis* known = machine_axis(run, axis_name(axis));
+        if (known != nullptr && known->home) coordinate(place.to, k) = *known->home;
+    }
+    return wanted_for_home(run, at, place);
+}
+
 void unknown_machine_position(Moving& run) {
     bool known = run.env.machine.datums.contains(run.reference_datum) || (keeps_offsets(run) && run.datum_known);
     for (int k = 0; k < 3 && known; ++k) known = !run.block.has(axis_code(k)) || !std::isnan(ahead(run, k));
@@ -73,7 +87,7 @@ void unknown_machine_position(Moving& run) {
         return assume(run, run.here(),
                       "machine coordinate 0 is taken as the home of its axis, away from the workpiece: where it is in "
                       "the workpiece is not known",
-                      "give home of the axes in the machine file and the zero offset in [datum] of the job");
+                      wanted_here(run));
     if (goes_away(run)) return assume_away(run);
     unchecked(run, codes::unknown_value, run.here(),
               "this block moves in machine coordinates and " + program::datum_phrase(*run.traits, run.reference_datum) +
@@ -133,7 +147,7 @@ bool reference_point(Moving& run) {
         assume(run, run.here(),
                "the reference point is not known in the workpiece frame: moves to and from it are simulated as far as "
                "they are known",
-               "give home of the axes in the machine file and the zero offset in [datum] of the job");
+               wanted_for_home(run, target, place));
     if (place.axes != std::array<bool, 3>{}) emit(run, place);
     go_to(run, target, true);
     return true;

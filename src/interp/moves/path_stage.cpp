@@ -56,11 +56,17 @@ bool may_ask_corner(const Moving& run) {
     return asks_corner(run.block) || run.block.has(Code::corner_feed) || run.modal.round_modal > 0;
 }
 
-/// Of the block's corner alone; 0: none of its own.
+/// What the program says for the corner alone; 0: nothing.
 double corner_feed(const Moving& run) {
     const BlockWords& b = run.block;
     const double feed = b.has(Code::corner_feed) ? b.peek(Code::corner_feed) : run.modal.corner_feed_modal;
     return feed > 0 ? feed * feed_factor(run) : 0;
+}
+
+/// At which a corner is run that is not run at the feed of the element behind it; 0: it is.
+double feed_of_corner(const Moving& run) {
+    const double own = corner_feed(run);
+    return own > 0 || !run.traits->corner_keeps_feed ? own : run.feed;
 }
 
 }  // namespace
@@ -82,7 +88,7 @@ path::CornerRequest PathStage::corner_request(Moving& run) {
         return {};
     }
     if (b.has(Code::corner_feed)) b.use(Code::corner_feed);
-    if (const double feed = corner_feed(run); r.kind != path::CornerKind::none && feed > 0 && run.feed_valid)
+    if (const double feed = feed_of_corner(run); r.kind != path::CornerKind::none && feed > 0 && run.feed_valid)
         put_corner_feed(run, feed, r);
     return r;
 }

@@ -25,8 +25,24 @@ double way_of_pitch(const Saying& run, const geom::Vec3& from, const geom::Vec3&
     return geom::length(way);
 }
 
+/// The words of the pitch belong to the axes: I to X, J to Y, K to Z (SINUMERIK Fundamentals, thread cutting G33).
+void say_other_axis(Moving& run, const geom::Vec3& way) {
+    std::string axes, words;
+    const std::pair<double, const char*> all[]{{way.x, "XI"}, {way.y, "YJ"}, {way.z, "ZK"}};
+    for (const auto& [length, names] : all) {
+        if (length == 0) continue;
+        axes += (axes.empty() ? "" : " and ") + std::string(1, names[0]);
+        words += (words.empty() ? "" : " or ") + std::string(1, names[1]);
+    }
+    doubt(run, codes::value_range, run.here(),
+          "the thread goes along " + axes +
+              ", and its pitch is written for an axis that does not move: it is run with "
+              "that pitch",
+          "write the pitch with " + words);
+}
+
 /// Along the move.
-double thread_pitch(const Moving& run, const geom::Vec3& from, const geom::Vec3& to) {
+double thread_pitch(Moving& run, const geom::Vec3& from, const geom::Vec3& to) {
     const BlockWords& b = run.block;
     double pitch = 0, longest = -1;
     const Code pitches[3] = {Code::i, Code::j, Code::k};
@@ -43,6 +59,8 @@ double thread_pitch(const Moving& run, const geom::Vec3& from, const geom::Vec3&
             break;
         }
     const double way = geom::distance(from, to);
+    if (longest < 0 && pitch != 0 && way > 0 && run.traits->pitch_along == program::PitchAlong::axis_of_word)
+        say_other_axis(run, to - run.programmed_position);
     if (longest > 0 && std::isfinite(way)) pitch *= way / way_of_pitch(run, from, to, longest);
     return pitch * length_unit(run.modal);
 }
@@ -110,6 +128,7 @@ bool thread_motion(Moving& run, const geom::Vec3& to) {
     }
     t.rigid_tap = taps;
     t.start = std::exchange(run.block.thread_start, std::nullopt).value_or(0);
+    if (run.traits->thread_begins_at_q && run.block.has(Code::q)) t.start = run.block.get(Code::q);
     if (changes_pitch(m) && run.block.has(Code::feed))
         t.change = (m == Modal::thread_rising ? 1 : -1) * run.block.get(Code::feed) * length_unit(run.modal);
     else if (changes_pitch(m)) {

@@ -68,6 +68,21 @@ void write_tool_column(Reckoning& run, const Expr& target, const program::Assign
     if (run.env.machine.kind == shop::MachineKind::mill) compare_with_job(run, *found);
 }
 
+/// $A_OUT[n]=, $A_OUTA[n]=: at once, between two blocks.
+void write_output(Telling& run, const Expr& target, const program::Assign& a, const Value& v, bool analog) {
+    const std::string& name = run.env.names.text(target.a);
+    const double index = target.count == 1 ? number(run, run.unit().children[target.b]) : NAN;
+    if (run.stopped) return;
+    const auto n = base::whole<std::uint32_t>(index, 1, 1'000'000);
+    if (!n && !std::isnan(index))
+        return alarm(run, codes::index_range, run.unit().span(a.target),
+                     "there is no output " + name + "[" + printed(Value::real(index)) + "]");
+    if (!n || !v.is_number() || v.is_unknown())
+        return unchecked(run, codes::unknown_value, run.unit().span(a.target),
+                         "which output " + name + " sets here, and to what, depends on a value that is not known");
+    emit(run, cl::Output{*n, analog, analog ? v.number : v.number != 0 ? 1.0 : 0.0, false});
+}
+
 /// Writing it may change what the control does, which is not followed: all but what is only read back.
 bool acts_when_written(program::SystemVariable v) {
     using program::SystemVariable;
@@ -114,6 +129,8 @@ void assign_system(Telling& run, const Expr& target, const program::Assign& a) {
         const int n = tool_parameter_number(run.env.names.text(target.a));
         if (!run.stopped && v.is_number()) write_tool_parameter(run, tool, edge, n, v.number);
     }
+    if (column == SystemVariable::digital_output || column == SystemVariable::analog_output)
+        return write_output(run, target, a, v, column == SystemVariable::analog_output);
     if (acts_when_written(static_cast<SystemVariable>(target.op)))
         unchecked(run, codes::unknown_value, run.unit().span(a.target),
                   "the effect of writing " + run.env.names.text(target.a) + " is not known");

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/codes.hpp"
 #include "base/number.hpp"
 #include "interp/setup/setup.hpp"
 
@@ -18,7 +19,8 @@ struct Rounding {
     double amount = 0;  ///< mm; NaN: not known, `because` says why
     bool at_corners = true;
     std::string because = "by what the machine's data allow, which are not known here (MD33100, CTOL)";
-    std::string remedy{};  ///< where the amount is not known
+    std::string remedy{};       ///< where the amount is not known
+    bool is_tolerance = false;  ///< of the whole path, as the program says it; else a distance at corners
 };
 
 std::string shown(double mm) { return base::fixed(mm, 3) + " mm"; }
@@ -41,7 +43,7 @@ Rounding rounding_of(const Reckoning& run) {
                 "at corners by the machine's setting 85 or a value that is not known here",
                 "write E, the largest rounding of a corner"};
     else if (most > 0)
-        return {std::string(m.tolerance_by), most, false};
+        return {.word = std::string(m.tolerance_by), .amount = most, .at_corners = false, .is_tolerance = true};
     if (m.compressor && !rapid) return {"the compressor (COMPON, COMPCURV, COMPCAD)", tolerance_of_machine(run), false};
     const double distance = rapid ? m.rounding_distance_rapid : m.rounding_distance;
     const std::string by = rapid ? "ADISPOS" : "ADIS";
@@ -52,7 +54,8 @@ Rounding rounding_of(const Reckoning& run) {
         return {word, unknown_number, true, "at corners as far as its axes' speeds and accelerations need"};
     if (m.smoothing == 644) return {word, unknown_number};
     if (m.smoothing > 641) return {word, tolerance_of_machine(run)};
-    if (m.path_mode == Modal::path_blend && m.blend > 0) return {"G64 with P", m.blend, false};
+    if (m.path_mode == Modal::path_blend && m.blend > 0)
+        return {.word = "G64 with P", .amount = m.blend, .at_corners = false, .is_tolerance = true};
     if (m.path_mode == Modal::path_blend && m.blend_free)
         return {"G64 without P", unknown_number, true, "without a limit, as far as its speed needs",
                 "write G64 P and the tolerance"};
@@ -83,6 +86,11 @@ void note_rounding(Moving& run) {
     assume(run, run.here(),
            r.word + " lets the control leave the programmed path " + how_far + ": the run follows the programmed one",
            std::isnan(r.amount) ? r.remedy : "what is checked holds to that amount");
+    constexpr double most_meant = 1;  // mm: roughing has tenths
+    if (r.is_tolerance && r.amount > most_meant)
+        doubt(run, base::codes::value_range, run.here(),
+              r.word + " allows the control " + shown(r.amount) + " beside the programmed path: hardly any part does",
+              "see where the decimal point of the tolerance stands");
 }
 
 }  // namespace obrys::interp

@@ -77,6 +77,7 @@ void stop_by_list(Moving& run, int m, bool before_motion) {
         if (s.certain) run.spindle.direction_known = true;
         if (s.certain && run.spindle.direction != 0) stop_spindle(run);
         if (s.coolant && run.coolant_on) coolant(run, 9);
+        if (s.does_more) emit(run, cl::Auxiliary{'M', s.function});
     }
 }
 

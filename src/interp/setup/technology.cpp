@@ -1,6 +1,7 @@
 /// Feed, coolant and machine functions of a block, the order in which its words act before the motion, and what acts
 /// behind it: stops and the program's end. Tools: tools.cpp.
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/codes.hpp"
@@ -11,6 +12,36 @@ namespace obrys::interp {
 namespace codes = base::codes;
 
 namespace {
+
+/// How many teeth the tool in the spindle has; 0: not known.
+int teeth_of(const Moving& run) { return run.tool.data != nullptr ? std::max(0, run.tool.data->teeth) : 0; }
+
+/// FZ beside G95: the feed per revolution of whatever tool is in the spindle, until the next F (SINUMERIK ONE, NC
+/// programming 12/2019, "Tooth feedrate (G95 FZ)": F = FZ * $TC_DPNT).
+void staying_tooth_feed(Moving& run) {
+    BlockWords& b = run.block;
+    ModalState& m = run.modal;
+    if (dwells_by_words(run)) return;
+    const bool said = b.has(Code::feed_per_tooth);
+    if (said && m.feed_mode != cl::FeedMode::per_rev) {
+        assume(run, run.here(),
+               "FZ without G95 has no effect: " + printed(Value::real(b.get(Code::feed_per_tooth))) +
+                   " is not taken for a feed");
+        return;
+    }
+    if (b.has(Code::feed) && !said) m.tooth_feed.reset();
+    if (said) m.tooth_feed = b.get(Code::feed_per_tooth);
+    const int teeth = teeth_of(run);
+    if (!m.tooth_feed || (!said && teeth == m.tooth_feed_teeth)) return;
+    m.tooth_feed_teeth = teeth;
+    if (teeth == 0)
+        unchecked(run, codes::unknown_value, run.here(),
+                  "the feed per tooth FZ needs the number of teeth of the tool, which is not known: so the feed is not",
+                  "give teeth of the tool in the job, which stands for $TC_DPNT");
+    b.put(Code::feed, teeth == 0 ? std::nan("") : *m.tooth_feed * teeth);
+    b.put(Code::feed_per_tooth, *m.tooth_feed);  // why the feed is not known has been said
+    b.use(Code::feed_per_tooth);
+}
 
 /// FU, FZ and F AUTO become a plain feed of their mode, which the next F ends.
 void special_feeds(Moving& run) {
@@ -42,7 +73,10 @@ void special_feeds(Moving& run) {
 }
 
 void feed_word(Moving& run) {
-    special_feeds(run);
+    if (run.traits->tooth_feed_stays)
+        staying_tooth_feed(run);
+    else
+        special_feeds(run);
     if (!run.block.has(Code::feed) || dwells_by_words(run) || changes_pitch(run.modal.motion)) return;
     double f = run.block.get(Code::feed);
     f *= feed_factor(run);
@@ -65,7 +99,9 @@ void feed_word(Moving& run) {
 
 /// FB: the path of this block is run at another feed.
 void begin_feed_alone(Moving& run) {
-    const double f = *run.block.feed_alone * feed_factor(run);
+    double f = *run.block.feed_alone * feed_factor(run);
+    if (run.modal.tooth_feed)
+        f *= teeth_of(run) > 0 ? static_cast<double>(teeth_of(run)) : std::nan("");  // it is one per tooth, too
     if (f < 0 || run.modal.motion == Modal::rapid) run.block.feed_alone.reset();
     if (std::isnan(f))
         unchecked(run, codes::unknown_value, run.here(),
@@ -97,7 +133,7 @@ void machine_functions(Moving& run) {
             run, run.here(),
             "M" + std::to_string(m) + " is a function of the machine builder: taken as having no effect on the path");
     }
-    for (const int h : run.block.h) emit(run, cl::Auxiliary{'H', h});
+    for (const cl::Auxiliary& h : run.block.h) emit(run, h);
 }
 
 /// RNDM, FRCM and FRC.

@@ -174,12 +174,14 @@ void part_turret_number(Moving& run) {
     const auto whole = base::whole<std::uint32_t>(t);
     if (!whole) return;  // said as no tool number
     const std::uint64_t tool = std::uint64_t{1} << static_cast<unsigned>(Code::tool);
-    if (*whole > 0 && *whole < hundred)
+    if (*whole > 0 && *whole < hundred) {
+        b.put(Code::edge, *whole);  // 303, the reading that changes the tool
         return unchecked(run, codes::unsupported, run.here(),
                          "T" + printed(Value::real(t)) +
                              " is one number for tool and offset: which it is (T0003, T0303) "
                              "depends on the machine",
                          "compute a number with the digits of both: 100 times the tool, and the offset");
+    }
     if (*whole > most)
         unchecked(run, codes::unsupported, run.here(),
                   "T" + printed(Value::real(t)) +

@@ -48,8 +48,9 @@ void emit_line(Telling& run, bool rapid) {
     send_plain(run, run.record);
 }
 
-void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes) {
-    emit(run, cl::PartBegin{kind, std::move(name), pass, passes});
+void begin_part(Telling& run, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes,
+                std::vector<cl::PartArgument> arguments) {
+    emit(run, cl::PartBegin{kind, std::move(name), pass, passes, std::move(arguments)});
 }
 
 void end_part(Telling& run) { emit(run, cl::PartEnd{}); }

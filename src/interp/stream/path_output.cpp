@@ -74,6 +74,7 @@ void PathStage::send_kept(Telling& run, int event) {
     if (event >= 0) {
         cl::Record& record = events_[static_cast<std::size_t>(event & ~marks)];
         const cl::Feed outside = run.told.feed;
+        if (const auto* own = std::get_if<cl::Feed>(&record.step); (event & marks) != 0 && *own == outside) return;
         if ((event & corner_feed_ends) != 0) record.step = outside;
         send_event(run, record);
         if ((event & corner_feed_begins) != 0) run.told.feed = outside;

@@ -183,7 +183,8 @@ void emit(Telling&, cl::Step step);
 /// A straight move to where the tool stands now, as radius compensation has not made it.
 void emit_line(Telling&, bool rapid);
 /// Brackets of the stream about what is called or repeated.
-void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes);
+void begin_part(Telling&, cl::PartKind kind, std::string name, std::uint64_t pass, std::uint64_t passes,
+                std::vector<cl::PartArgument> arguments = {});
 void end_part(Telling&);
 /// Before a move: the zero that is selected and the frame in which coordinates are programmed, as far as the stream
 /// does not have them yet.

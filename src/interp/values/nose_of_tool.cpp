@@ -2,7 +2,7 @@
 
 #include "base/whole.hpp"
 #include "interp/values/values.hpp"
-#include "shop/files/linuxcnc/table.hpp"
+#include "shop/orientation.hpp"
 
 namespace obrys::interp {
 
@@ -33,7 +33,7 @@ std::optional<int> nose_orientation(const shop::Tool& t) {
 std::optional<int> table_orientation(const shop::Tool& t) {
     if (t.table) return t.table->orientation;
     const std::optional<int> orientation = nose_orientation(t);
-    return orientation ? std::optional(shop::table_orientation(*orientation)) : std::nullopt;
+    return orientation ? std::optional(shop::mirrored_orientation(*orientation)) : std::nullopt;
 }
 
 }  // namespace obrys::interp

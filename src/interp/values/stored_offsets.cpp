@@ -83,6 +83,24 @@ double machine_ahead(const Reckoning& run, std::size_t axis) {
     return coordinate(known->second, static_cast<int>(axis));
 }
 
+std::string wanted_for_home(const Reckoning& run, const geom::Vec3& at, const cl::MachinePlace& place) {
+    bool no_home = false, no_zero = false, no_length = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const int axis = static_cast<int>(k);
+        if (!place.axes[k] || std::isfinite(coordinate(at, axis))) continue;
+        no_home = no_home || std::isnan(coordinate(place.to, axis));
+        const bool kept = keeps_offsets(run);
+        no_length = no_length || (kept && is_length_unknown(run, k));
+        no_zero = no_zero || (kept ? !(run.datum_known && is_datum_given(run, k)) : std::isnan(machine_ahead(run, k)));
+    }
+    const std::string zero = "the zero offset in [datum] of the job" +
+                             std::string(keeps_offsets(run) ? ", or the parameter file of the control" : "");
+    if (no_home) return "give home of the axes in the machine file" + (no_zero ? " and " + zero : std::string());
+    if (no_zero) return "give " + zero;
+    if (no_length) return "give the length of the tool: home and zero offset are known";
+    return "home and zero offset are given: see what moves the axes or the zero before, by values that are not known";
+}
+
 double machine_coordinate(const Reckoning& run, std::size_t axis) {
     if (axis < 3) return coordinate(run.position, static_cast<int>(axis)) + machine_ahead(run, axis);
     const double at = axis_coordinate(run, axis);

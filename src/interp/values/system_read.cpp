@@ -146,10 +146,13 @@ Value read_system(Reckoning& run, const Expr& e) {
         case SystemVariable::is_dry_run: return Value::boolean(false);
         case SystemVariable::clock: return clock_value(a);
         case SystemVariable::pi: return Value::real(geom::pi);
+        case SystemVariable::digital_output:
+        case SystemVariable::analog_output:
         case SystemVariable::unknown:
             if (const auto written = a.run.system_written.find(written_key(a)); written != a.run.system_written.end())
                 return written->second;
-            return unknown_value(a, "obrys does not know this system variable");
+            return unknown_value(a, v == SystemVariable::unknown ? "obrys does not know this system variable"
+                                                                 : "the program has not set this output before");
         default: return run_state(a, v);
     }
 }

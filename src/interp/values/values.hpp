@@ -237,6 +237,9 @@ inline constexpr const char* no_tool_said =
     "which tool is in use when the program begins is not known, and no block before selects one";
 
 // --- stored_offsets.cpp
+/// What somebody has to give, so that the axes' place of the machine is known in the workpiece too; `at`: there, NaN where
+/// not known.
+[[nodiscard]] std::string wanted_for_home(const Reckoning&, const geom::Vec3& at, const cl::MachinePlace& place);
 /// From the selected zero, turned as it is, to that of the run.
 [[nodiscard]] geom::Frame datum_frame(const Reckoning&);
 /// Where the zero that the stream's coordinates count from lies in the machine is told by job, file or program.

@@ -9,20 +9,11 @@ using program::ExprKind;
 using program::no_expr;
 
 ExprId add_number(State& s, double value, bool integer, const char* from) {
-    s.unit.numbers.push_back(value);
-    Expr e;
-    e.kind = ExprKind::number;
-    e.op = integer ? 1 : 0;
-    e.a = static_cast<std::uint32_t>(s.unit.numbers.size() - 1);
-    return add_expr(s, e, from);
+    return s.build.number(value, integer, s.cursor.from(from), s.cursor.to(s.cursor.p));
 }
 
 ExprId add_text(State& s, std::string text, const char* from) {
-    s.unit.texts.push_back(std::move(text));
-    Expr e;
-    e.kind = ExprKind::text;
-    e.a = static_cast<std::uint32_t>(s.unit.texts.size() - 1);
-    return add_expr(s, e, from);
+    return s.build.text(std::move(text), s.cursor.from(from), s.cursor.to(s.cursor.p));
 }
 
 /// Hexadecimal and binary constants and single characters: 'H1F', 'B101', 'A'.

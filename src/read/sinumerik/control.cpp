@@ -106,9 +106,7 @@ ExprId add_boolean(State& s, bool value, const char* from) {
     program::Expr e;
     e.kind = program::ExprKind::boolean;
     e.a = value ? 1 : 0;
-    e.begin = e.end = s.cursor.from(from);
-    s.unit.exprs.push_back(e);
-    return static_cast<ExprId>(s.unit.exprs.size() - 1);
+    return s.build.add(e, s.cursor.from(from), s.cursor.from(from));
 }
 
 void open_branch(State& s, StatementKind kind, ExprId condition, const char* from) {

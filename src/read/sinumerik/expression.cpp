@@ -54,10 +54,7 @@ std::optional<Binary> operator_here(State& s) {
 }  // namespace
 
 ExprId add_expr(State& s, Expr e, const char* from) {
-    e.begin = s.cursor.from(from);
-    e.end = s.cursor.to(s.cursor.p);
-    s.unit.exprs.push_back(e);
-    return static_cast<ExprId>(s.unit.exprs.size() - 1);
+    return s.build.add(e, s.cursor.from(from), s.cursor.to(s.cursor.p));
 }
 
 ExprId read_level(State& s, Level loosest, int depth) {

@@ -54,7 +54,12 @@ program::Unit read_unit(std::uint32_t file, const base::Sources& sources, const 
     unit.traits = &dialect::sinumerik::traits;
     unit.unended = "the program ends without M30, M2, M17 or RET: the text may be cut off";
     unit.reserve(part.end - part.begin);
-    State s{.unit = unit, .names = names, .diagnostics = diagnostics, .text = source.text, .cursor = {}};
+    State s{.unit = unit,
+            .names = names,
+            .diagnostics = diagnostics,
+            .text = source.text,
+            .build = {unit, names, diagnostics, source.text},
+            .cursor = {}};
     read_lines(s, sources);
     s.cursor = Cursor(s.text.data(), part.end, part.end);
     close_all(s);

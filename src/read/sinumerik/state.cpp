@@ -84,28 +84,10 @@ void keep_failure(State& s) {
         Statement& opened = s.unit.statements.back();
         opened.begin = std::min(opened.begin, s.failure.begin);
     }
-    program::Problem problem;
-    problem.where = s.failure;
-    problem.text = s.line_text(s.failure);
-    problem.reason = s.failure_text;
-    s.unit.problems.push_back(std::move(problem));
-    Statement& statement = s.unit.statements.back();
-    program::Word word;
-    word.code = static_cast<std::uint32_t>(Code::unknown);
-    word.form = static_cast<std::uint32_t>(Form::index);
-    const std::uint32_t at_byte = std::max(s.failure.begin, statement.begin) - statement.begin;
-    word.offset = std::min(at_byte, 4095u) & 0xFFF;
-    word.length = std::min(s.failure.end - s.failure.begin, 255u) & 0xFF;
-    word.payload = static_cast<std::int32_t>(s.unit.problems.size() - 1);
-    s.unit.words.push_back(word);
+    s.build.problem(Code::unknown, s.failure.begin, s.failure.end, s.failure_text);
 }
 
-program::NameId intern(State& s, std::string_view name) {
-    char buffer[64];
-    if (name.size() > sizeof buffer) return s.names.id(base::to_upper(name));
-    std::transform(name.begin(), name.end(), buffer, base::upper);
-    return s.names.id({buffer, name.size()});
-}
+program::NameId intern(State& s, std::string_view name) { return s.build.name(name); }
 
 void note_variable(State& s, const std::string& upper, bool is_string) {
     s.variables.insert(upper);
@@ -115,14 +97,10 @@ void note_variable(State& s, const std::string& upper, bool is_string) {
 
 Statement& add_statement(State& s, StatementKind kind, const char* from) {
     close_block(s);
-    Statement statement;
-    statement.begin = s.line_has_statement ? s.cursor.from(from) : s.line_begin;
-    statement.first = static_cast<std::uint32_t>(s.unit.words.size());
-    statement.kind = kind;
-    statement.flags = static_cast<std::uint8_t>(s.skip | (s.line_has_statement ? 0 : program::line_start));
+    if (!s.line_has_statement) s.build.begin_block(s.skip);
+    s.build.statement(kind, s.line_has_statement ? s.cursor.from(from) : s.line_begin);
     s.line_has_statement = true;
     ++s.items;
-    s.unit.statements.push_back(statement);
     return s.unit.statements.back();
 }
 
@@ -130,11 +108,9 @@ namespace {
 
 /// Gives the last statement the text up to the cursor, blanks at its end left out.
 void end_statement(State& s) {
-    Statement& statement = s.unit.statements.back();
     const char* q = s.cursor.p;
-    while (s.cursor.from(q) > statement.begin && base::is_blank(q[-1])) --q;
-    const std::uint32_t end = std::max(s.cursor.to(q), statement.begin);
-    statement.length = static_cast<std::uint16_t>(std::min<std::uint32_t>(end - statement.begin, 0xFFFF));
+    while (s.cursor.from(q) > s.unit.statements.back().begin && base::is_blank(q[-1])) --q;
+    s.build.end_statement(s.cursor.to(q));
 }
 
 }  // namespace
@@ -163,15 +139,7 @@ void close_block(State& s) {
 void add_word(State& s, Code code, Form form, std::int32_t payload, const char* from) {
     open_block(s, from);
     ++s.items;
-    const std::uint32_t at = s.cursor.from(from) - s.unit.statements.back().begin;
-    const std::uint32_t length = std::max(s.cursor.to(s.cursor.p), s.cursor.from(from)) - s.cursor.from(from);
-    program::Word word;
-    word.code = static_cast<std::uint32_t>(code) & 0xFF;
-    word.form = static_cast<std::uint32_t>(form) & 0xF;
-    word.offset = std::min(at, 4095u) & 0xFFF;
-    word.length = std::min(length, 255u) & 0xFF;
-    word.payload = payload;
-    s.unit.words.push_back(word);
+    s.build.word(code, form, payload, s.cursor.from(from), s.cursor.to(s.cursor.p));
 }
 
 void add_problem(State& s, Code code, const char* from, std::string_view reason) {
@@ -186,13 +154,8 @@ void add_problem(State& s, Code code, const char* from, std::string_view reason)
 
 void add_ignored(State& s, const char* from, const char* to) {
     ++s.items;
-    std::string upper = base::to_upper({from, static_cast<std::size_t>(to - from)});
-    const auto next = static_cast<std::uint32_t>(s.unit.ignored.size());
-    const auto [found, is_new] = s.ignored.try_emplace(upper, next);
-    if (is_new)
-        s.unit.ignored.push_back({std::move(upper), s.span(from, to), 1});
-    else
-        ++s.unit.ignored[found->second].count;
+    const std::string upper = base::to_upper({from, static_cast<std::size_t>(to - from)});
+    s.build.ignored(upper, s.cursor.from(from), s.cursor.to(to));
 }
 
 }  // namespace obrys::read::sinumerik

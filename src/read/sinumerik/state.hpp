@@ -11,6 +11,7 @@
 #include "base/codes.hpp"
 #include "base/diagnostic.hpp"
 #include "base/text.hpp"
+#include "program/builder.hpp"
 #include "program/names.hpp"
 #include "program/unit.hpp"
 
@@ -90,26 +91,26 @@ struct State {
     program::Names& names;
     base::Diagnostics& diagnostics;
     std::string_view text;  ///< the whole source text
+    program::Builder build;
     Cursor cursor;
 
     std::uint32_t line_begin = 0;  ///< source byte of the line's first text
     bool failed = false;           ///< this line has been complained about
     bool failure_kept = false;     ///< … and has its unknown word in the tree
     bool line_has_statement = false;
-    bool block_open = false;  ///< words go to the last statement
-    std::uint8_t skip = 0;    ///< block skip level + 1
-    bool declares = false;    ///< this line is PROC, EXTERN or DEFINE: no block of its own
-    int operators = 0;        ///< of the expression at hand
-    int items = 0;            ///< words and statements read from this line so far
+    bool block_open = false;        ///< words go to the last statement
+    std::uint8_t skip = 0;          ///< block skip level + 1
+    bool declares = false;          ///< this line is PROC, EXTERN or DEFINE: no block of its own
+    int operators = 0;              ///< of the expression at hand
+    int items = 0;                  ///< words and statements read from this line so far
     bool block_of_its_own = false;  ///< a jump, call, RET or structure word stands in this line: nothing follows it
     base::Span failure{};
     std::string failure_text{};
 
     std::vector<Opened> opened{};
-    std::unordered_map<std::string, std::string> macros{};     ///< text by name
-    std::unordered_set<std::string> variables{};               ///< defined here by DEF or PROC
-    std::unordered_set<std::string> strings{};                 ///< those of type STRING
-    std::unordered_map<std::string, std::uint32_t> ignored{};  ///< entry in Unit::ignored
+    std::unordered_map<std::string, std::string> macros{};  ///< text by name
+    std::unordered_set<std::string> variables{};            ///< defined here by DEF or PROC
+    std::unordered_set<std::string> strings{};              ///< those of type STRING
     bool odd_names = false;         ///< a variable or macro is called like a word, e.g. D1W or M6
     bool jumps_to_numbers = false;  ///< a jump names a block number or computes its destination
 

@@ -61,6 +61,13 @@ std::string difference_text(const Asked& a, const sim::cutting::Difference& d) {
            w.unit + " follows from the others";
 }
 
+std::string implausible_text(const DataSubject& s) {
+    const bool turning = s.asked.process == Process::turning;
+    return "no tool" + std::string(turning || !std::isfinite(s.data[Value::diameter]) ? "" : " of this diameter") +
+           " cuts " + figure(s.data[Value::feed_per_tooth]) + " mm a " + (turning ? "revolution" : "tooth") +
+           ": see where the decimal point stands";
+}
+
 std::string needed(const Asked& a) {
     return a.material == nullptr ? "needs --material" : "needs feed per tooth, --ap and --ae";
 }
@@ -112,6 +119,7 @@ std::string as_text(const DataSubject& s) {
     }
     for (const std::string& key : s.data.clamped_by) out += "held by the machine: " + key + "\n";
     if (s.data.impossible) out += "the spindle does not turn so slowly that its power would do\n";
+    if (s.data.feed_implausible) out += implausible_text(s) + " [" + std::string(base::codes::feed_implausible) + "]\n";
     for (const auto& d : s.data.differences)
         out += difference_text(s.asked, d) + " [" + std::string(base::codes::feed_differs) + "]\n";
     return out;
@@ -141,6 +149,11 @@ std::string as_json(const DataSubject& s) {
                                    {"given", f.given},
                                    {"computed", f.computed},
                                    {"message", difference_text(s.asked, f)}});
+    if (d.feed_implausible)
+        out["findings"].push_back({{"code", base::codes::feed_implausible},
+                                   {"value", words_of(Value::feed_per_tooth).key},
+                                   {"given", d[Value::feed_per_tooth]},
+                                   {"message", implausible_text(s)}});
     out["not_known"] = OrderedJson::array();
     for (const Words& w : words)
         if (applies(s.asked, w.value) && !std::isfinite(d[w.value])) out["not_known"].push_back(w.key);

@@ -169,6 +169,19 @@ std::vector<Difference> differences(const Asked& asked, const Data& d) {
     return all;
 }
 
+/// mm a tooth, of turning a revolution; the same limits as of programs (`feed-implausible`). High-feed mills take 2 mm,
+/// and no more than a tenth of their diameter.
+double most_of_a_tooth(const Asked& asked, const Data& d) {
+    constexpr double turned = 5, drilled = 0.5, milled = 4;
+    const double diameter = d[Value::diameter];
+    switch (asked.process) {
+        case Process::turning: return turned;
+        case Process::drilling: return known(diameter) ? std::max(drilled, diameter / 8) : milled;
+        case Process::milling: break;
+    }
+    return known(diameter) ? std::min(milled, std::max(drilled, diameter / 5)) : milled;
+}
+
 /// Torque and power of the force along the cut.
 void add_power(const Asked& asked, Data& d) {
     const double chip = d[Value::chip], removal = d[Value::removal];
@@ -211,6 +224,7 @@ Data solve_freely(const Asked& asked) {
         else if (known(angle))
             d.thickest_chip = f * std::sin(std::min(angle, pi / 2));
     }
+    d.feed_implausible = d[Value::feed_per_tooth] > most_of_a_tooth(asked, d);
     add_power(asked, d);
     add_marks(asked, d);
     return d;

@@ -80,6 +80,7 @@ struct Data {
     bool extrapolated = false;            ///< chips that the law was not found for
     std::vector<std::string> clamped_by;  ///< keys of the machine file
     std::vector<Difference> differences;  ///< given values that contradict each other
+    bool feed_implausible = false;        ///< no tool of this size cuts with so much per tooth
     bool impossible = false;              ///< the spindle does not turn so slowly
     Data() { values.fill(NAN); }
     double& operator[](Value v) { return values[static_cast<std::size_t>(v)]; }

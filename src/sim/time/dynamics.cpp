@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/whole.hpp"
+#include "motion/rapid_way.hpp"
 
 namespace obrys::sim::time {
 namespace {
@@ -48,7 +49,7 @@ private:
         d_.servo_gain = take(m.servo_gain, 0, "motion.servo_gain", "1/s, 0: no lag");
         if (d_.servo_gain > 0) d_.window = take(m.window, usual_window, "motion.window", "mm");
         d_.strobe_time = take(m.strobe_time, usual_strobe, "motion.strobe_time", "s");
-        const shop::RapidPath path = machine_.rapid_path.value_or(rapids_);
+        const shop::RapidPath path = motion::rapid_path(machine_, rapids_);
         d_.dog_leg = path == shop::RapidPath::dog_leg;
         const bool known = machine_.rapid_path || path != shop::RapidPath::either;
         add("rapid", NAN, d_.dog_leg ? "dog-leg" : "straight", known, machine_.rapid_path ? "" : "the control");

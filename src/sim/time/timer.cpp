@@ -5,6 +5,7 @@
 
 #include "cl/spline.hpp"
 #include "cl/totals.hpp"
+#include "motion/rapid_way.hpp"
 #include "motion/technology.hpp"
 
 namespace obrys::sim::time {
@@ -116,21 +117,16 @@ void Timer::take(const cl::Record& record) {
     }
 }
 
-/// How far additional axes go along with a move, and from here on where they stand.
-Timer::Turns Timer::take_turns(const cl::Step& step) {
+/// How far additional axes go along with a move.
+Timer::Turns Timer::turns_of(const motion::Step& step) const {
     Turns turns;
-    for (const cl::AxisEnd& end : *cl::ends_of(step)) {
-        const std::string name(cl::name_of(end.name));
-        const auto stood = stand_.find(name);
-        const auto limits = dynamics_.others.find(name);
-        if (stood == stand_.end()) turns.begins_nowhere = true;
-        const double way = stood == stand_.end() ? NAN : std::abs(end.to - stood->second);
+    for (const cl::AxisEnd& end : *cl::ends_of(step.record.step)) {
+        const cl::AxisEnd* stood = motion::find_axis(step.axes_from, end.name);
+        const auto limits = dynamics_.others.find(std::string(cl::name_of(end.name)));
+        const double way = stood == nullptr ? NAN : std::abs(end.to - stood->to);
+        if (stood == nullptr || std::isnan(stood->to)) turns.begins_nowhere = true;
         if (way > 0 && limits != dynamics_.others.end()) turns.ways.emplace_back(&limits->second, way);
         if (std::isnan(end.to) || (way > 0 && limits == dynamics_.others.end())) turns.unknown = true;
-        if (std::isnan(end.to))
-            stand_.erase(name);
-        else
-            stand_[name] = end.to;
     }
     return turns;
 }
@@ -138,7 +134,7 @@ Timer::Turns Timer::take_turns(const cl::Step& step) {
 void Timer::take_move(const motion::Step& step) {
     ++times_.moves;
     const double length = cl::move_length(step.from, step.record.step);
-    const Turns turns = take_turns(step.record.step);
+    const Turns turns = turns_of(step);
     const bool known = std::isfinite(length);
     if (turns.unknown || (!known && begun_)) return untimed(step);
     if (!known || turns.begins_nowhere) {
@@ -195,7 +191,7 @@ void Timer::take_turn(const motion::Step& step, const Turns& turns) {
 bool Timer::take_dog_leg(const motion::Step& step, const Turns& turns) {
     if (!dynamics_.dog_leg || !step.rapid || !std::holds_alternative<cl::Linear>(step.record.step)) return false;
     std::vector<std::pair<const AxisLimits*, double>> ways = turns.ways;
-    const std::array<double, 3> way{step.to.x - step.from.x, step.to.y - step.from.y, step.to.z - step.from.z};
+    const std::array<double, 3> way = motion::ways_of_axes(motion::upright_axes, step.from, step.to);
     for (std::size_t i = 0; i < 3; ++i)
         if (std::abs(way[i]) > 0) ways.emplace_back(&dynamics_.axes[i], std::abs(way[i]));
     double seconds = 0, at_rapid = 0, longest = 0;

@@ -53,7 +53,7 @@ private:
     };
 
     void take_move(const motion::Step& step);
-    [[nodiscard]] Turns take_turns(const cl::Step& step);
+    [[nodiscard]] Turns turns_of(const motion::Step& step) const;
     void take_turn(const motion::Step& step, const Turns& turns);
     /// Each axis at its own rapid; false where the machine does not go so, or this is no such move.
     bool take_dog_leg(const motion::Step& step, const Turns& turns);
@@ -107,12 +107,11 @@ private:
     std::vector<ToleranceUse> tolerances_;
     std::size_t use_ = 0;  ///< of them, the one in force
     TimerOptions options_;
-    double begin_ = 0;                     ///< mm/s at the begin of the first block that waits
-    Cause began_ = Cause::exact_stop;      ///< why it is no faster
-    double spindle_ = 0;                   ///< 1/min, with its sense
-    double rapid_seconds_ = 0;             ///< since the last move at feed: the spindle has had so long to follow
-    Place strobed_{UINT32_MAX, 0};         ///< whose M functions have been paid for
-    std::map<std::string, double> stand_;  ///< of additional axes
+    double begin_ = 0;                 ///< mm/s at the begin of the first block that waits
+    Cause began_ = Cause::exact_stop;  ///< why it is no faster
+    double spindle_ = 0;               ///< 1/min, with its sense
+    double rapid_seconds_ = 0;         ///< since the last move at feed: the spindle has had so long to follow
+    Place strobed_{UINT32_MAX, 0};     ///< whose M functions have been paid for
     bool last_rapid_ = false, begun_ = false;
 };
 

@@ -4,32 +4,14 @@
 #include <cmath>
 #include <initializer_list>
 
+#include "write/holes/plain_hole.hpp"
+
 namespace obrys::write {
 
 namespace {
 
 using cl::CycleKind;
 using Role = cl::CycleRole;
-
-constexpr double same = 1e-9;  // mm
-
-enum class Way : std::uint8_t { drill, peck, chip_break, feed_out, tap_floating, tap_rigid, tap_chip_break };
-
-/// A hole, whoever says it.
-struct Hole {
-    Way way = Way::drill;
-    std::optional<double> surface;
-    double top = 0;     ///< where feed begins
-    double bottom = 0;  ///< where it ends
-    double end = 0;     ///< where the tool stands behind it
-    double infeed = 0;
-    double gap = 0;               ///< above the last infeed, where the next begins; the way back where chips are broken
-    double dwell = 0;             ///< at the bottom, s
-    double feed = 0;              ///< mm/min
-    double pitch = 0;             ///< of a thread
-    double direction = 0;         ///< of the spindle where a tap goes in: 1 clockwise, -1 counter-clockwise
-    std::optional<double> speed;  ///< of a tap, where the cycle says its own, 1/min
-};
 
 /// The values of a cycle, each asked for once: what nobody has asked for is what this file does not understand.
 class Asked {
@@ -179,7 +161,7 @@ std::optional<Hole> of_depths(const cl::Cycle& cycle, Way way, const motion::Sta
     if (cycle.kind == CycleKind::drill) h.way = Way::peck, h.gap = h.top - *h.surface;
     if (universal) take_infeeds(h, asked, cycle.kind);
     const double dwell_top = asked.or_0(Role::dwell_top);
-    const bool in_one = h.infeed >= *h.surface - h.bottom - same;
+    const bool in_one = h.infeed >= *h.surface - h.bottom - same_length;
     if ((h.way == Way::peck || h.way == Way::chip_break) && in_one) h.way = Way::drill;
     asked.expect(h.way != Way::feed_out || !universal || in_one);
     asked.expect(dwell_top == 0 || in_one);  // after each infeed
@@ -193,112 +175,6 @@ std::optional<Hole> of_depths(const cl::Cycle& cycle, Way way, const motion::Sta
     return asked.all_known() ? std::optional(h) : std::nullopt;
 }
 
-HoleWay with(const cl::Cycle& from, CycleKind kind, std::vector<cl::CycleValue> values) {
-    HoleWay out{from};
-    out.cycle.kind = kind;
-    out.cycle.values = std::move(values);
-    return out;
-}
-
-CycleKind canned_kind(Way way) {
-    switch (way) {
-        case Way::drill: return CycleKind::canned_drill;
-        case Way::peck: return CycleKind::canned_peck;
-        case Way::chip_break: return CycleKind::canned_chip_break;
-        case Way::feed_out: return CycleKind::canned_bore_feed;
-        case Way::tap_floating: return CycleKind::canned_tap_floating;
-        default: return CycleKind::canned_tap_rigid;
-    }
-}
-
-HoleWay as_canned(const cl::Cycle& from, const Hole& h) {
-    HoleWay out = with(from, canned_kind(h.way), {{Role::retract_plane, h.top}, {Role::bottom, h.bottom}});
-    std::vector<cl::CycleValue>& values = out.cycle.values;
-    if (h.surface) values.push_back({Role::surface, *h.surface});
-    if (h.end > h.top + same) values.push_back({Role::return_level, h.end});
-    if (h.dwell > 0) values.push_back({Role::dwell_bottom, h.dwell});
-    if (h.way == Way::peck) values.insert(values.end(), {{Role::infeed, h.infeed}, {Role::stop_distance_first, h.gap}});
-    if (h.way == Way::chip_break)
-        values.insert(values.end(), {{Role::infeed, h.infeed}, {Role::chip_break_distance, h.gap}});
-    if (h.way == Way::tap_floating || h.way == Way::tap_rigid) values.push_back({Role::spindle_direction, h.direction});
-    if (h.way == Way::tap_rigid) values.push_back({Role::pitch, h.pitch});
-    if (h.way != Way::tap_rigid) out.feed = h.feed;
-    out.speed = h.speed;
-    return out;
-}
-
-/// Where nobody says where the surface lies: at 0 where the tool comes from above and ends below, else 2 mm below the
-/// plane to which the tool comes at rapid.
-double surface_of(const Hole& h) {
-    if (h.surface && h.top > *h.surface + same && h.bottom < *h.surface - same) return *h.surface;
-    if (h.top > same && h.bottom < -same) return 0;
-    return h.top - std::min(2.0, (h.top - h.bottom) / 2);
-}
-
-/// CYCL DEF 209 counts its steps from the surface, G84 from the retract plane where no surface is said, and says how
-/// far it goes back in pitches.
-HoleWay as_tap_chip_breaking(const cl::Cycle& from, const Hole& h) {
-    const double surface = h.surface.value_or(h.top);
-    HoleWay out = with(from, CycleKind::tap_chip_breaking,
-                       {{Role::clearance, h.top - surface},
-                        {Role::depth, h.bottom - surface},
-                        {Role::surface, surface},
-                        {Role::second_clearance, h.end - surface},
-                        {Role::pitch, h.direction * h.pitch},
-                        {Role::chip_break_depth, h.infeed},
-                        {Role::chip_break_distance, h.gap / h.pitch}});
-    out.speed = h.speed;
-    return out;
-}
-
-/// By a retract plane; how far it goes back is said in turns of the spindle.
-HoleWay as_tap_by_turns(const cl::Cycle& from, const Hole& h) {
-    HoleWay out = as_canned(from, h);
-    out.cycle.values.insert(out.cycle.values.end(), {{Role::spindle_direction, h.direction},
-                                                     {Role::pitch, h.pitch},
-                                                     {Role::infeed, h.infeed},
-                                                     {Role::chip_break_turns, h.gap / h.pitch}});
-    out.feed.reset();
-    return out;
-}
-
-std::vector<HoleWay> as_depths(const cl::Cycle& from, const Hole& h) {
-    const double surface = surface_of(h), depth = h.bottom - surface;
-    if (!(depth < 0)) return {};
-    const std::vector<cl::CycleValue> heights{{Role::clearance, h.top - surface},
-                                              {Role::depth, depth},
-                                              {Role::surface, surface},
-                                              {Role::second_clearance, h.end - surface}};
-    const auto cycle = [&](CycleKind kind, std::vector<cl::CycleValue> more) {
-        more.insert(more.begin(), heights.begin(), heights.end());
-        HoleWay out = with(from, kind, std::move(more));
-        out.speed = h.speed;
-        return out;
-    };
-    const cl::CycleValue feed{Role::feed_plunge, h.feed}, dwell{Role::dwell_bottom, h.dwell};
-    switch (h.way) {
-        case Way::drill: return {cycle(CycleKind::drill, {feed, dwell, {Role::infeed, -depth}, {Role::dwell_top, 0}})};
-        case Way::feed_out: return {cycle(CycleKind::ream, {feed, dwell, {Role::feed_retract, 0}})};
-        case Way::tap_floating: return {cycle(CycleKind::tap_floating, {feed, dwell})};
-        case Way::tap_rigid:
-            if (h.dwell != 0) return {};
-            return {cycle(CycleKind::tap_rigid, {{Role::pitch, h.direction < 0 ? -h.pitch : h.pitch}})};
-        default: break;
-    }
-    // Out to the clearance after each infeed, or a little back: the first reaches less far below the surface than those
-    // of a control that counts from its retract plane, unless that lies in it.
-    const bool breaks = h.way == Way::chip_break;
-    return {cycle(CycleKind::universal_peck, {feed,
-                                              dwell,
-                                              {Role::infeed, breaks ? -depth : h.infeed},
-                                              {Role::decrement, 0},
-                                              {Role::min_infeed, 0},
-                                              {Role::stop_distance_first, h.gap},
-                                              {Role::stop_distance_last, h.gap},
-                                              {Role::chip_break_depth, breaks ? h.infeed : 0},
-                                              {Role::chip_break_distance, breaks ? h.gap : 0}})};
-}
-
 }  // namespace
 
 std::vector<HoleWay> same_hole(const cl::Cycle& cycle, const motion::State& state) {
@@ -310,7 +186,7 @@ std::vector<HoleWay> same_hole(const cl::Cycle& cycle, const motion::State& stat
     if (canned) {
         if (hole->way == Way::tap_chip_break) {
             std::vector<HoleWay> out{as_tap_chip_breaking(cycle, *hole)};
-            if (hole->gap > 0) out.push_back(as_tap_by_turns(cycle, *hole));
+            if (hole->gap > 0) out.push_back(as_canned(cycle, *hole));
             return out;
         }
         std::vector<HoleWay> out = as_depths(cycle, *hole);

@@ -7,7 +7,8 @@ namespace exact {
 
 namespace {
 
-constexpr double on = 1e-7;  ///< mm: what counts as on the surface
+constexpr double on = 1e-7;       ///< mm: what counts as on the surface
+constexpr std::size_t rims = 10;  ///< places of sharp rings and points to each place of faces: lines, not areas
 
 /// The place near `p` where all of some constraints are 0: steps of least length.
 std::optional<V> meet(const Solid& solid, const std::vector<std::size_t>& of, V p) {
@@ -76,6 +77,22 @@ V on_body(const Solid& solid, const Move& m, Random& random, V& out) {
     }
     out = unit(std::sqrt(std::max(0.0, 1 - lean * lean)) * side + lean * m.axis);
     return at(m, uniform(random, 0, 1)) + r * side + z * m.axis + b.rounding * out;
+}
+
+/// On a sharp ring or the point of a tool that moves: anywhere of it where a way begins and ends, else at its sides, which
+/// alone may stay. What of it is part of the surface is told by the solid.
+V on_rim(const Solid& solid, const Move& m, Random& random) {
+    const Tool& tool = solid.tool(m);
+    const Body& b = tool[static_cast<std::size_t>(uniform(random, 0, static_cast<double>(tool.size())))];
+    const bool low = uniform(random, 0, 1) < 0.8;
+    const double r = low ? b.r0 : b.r1, z = low ? b.z0 : b.z1, where = uniform(random, 0, 4);
+    const double t = where < 1 ? 0 : where < 2 ? 1 : uniform(random, 0, 1), step = 1e-4;
+    const V u = across(m.axis), v = cross(m.axis, u);
+    const double turn = uniform(random, 0, 2 * std::numbers::pi);
+    V side = std::cos(turn) * u + std::sin(turn) * v;
+    const V way = cross(m.axis, at(m, std::min(1.0, t + step)) - at(m, std::max(0.0, t - step)));
+    if (where >= 2 && norm(way) > 0) side = (turn < std::numbers::pi ? 1 : -1) * unit(way);
+    return at(m, t) + r * side + z * m.axis;
 }
 
 /// Where a line enters and leaves the solid: steps as long as nothing can lie in between.
@@ -182,6 +199,9 @@ std::vector<V> samples(const Solid& solid, std::size_t each, double skin, Random
             found.push_back(*s);
             if (i % 4 == 0) edges_near(solid, *s, found);
         }
+    for (const Move& m : solid.moves())
+        for (std::size_t i = 0; i < rims * each; ++i)
+            if (const V p = on_rim(solid, m, random); solid.stock_box().distance(p) < 1e-9) found.push_back(p);
     const Box& box = solid.stock_box();
     const V size = box.hi - box.lo;
     for (std::size_t i = 0; i < each * 8; ++i) {

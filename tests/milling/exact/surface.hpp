@@ -23,8 +23,8 @@ struct Off {
 /// Whether there is material behind a place of the surface, more than a skin of `skin`.
 [[nodiscard]] bool has_material(const Solid& solid, V p, double skin);
 
-/// Random places of the surface: faces, edges and corners of what was swept and of the stock. `each` to a constraint, and
-/// as many again along lines through the stock.
+/// Random places of the surface: faces, edges and corners of what was swept and of the stock, sharp rings and points of
+/// tools. `each` to a constraint, of rings and points ten times that, and as many again along lines through the stock.
 [[nodiscard]] std::vector<V> samples(const Solid& solid, std::size_t each, double skin, Random& random);
 
 }  // namespace exact

@@ -81,11 +81,31 @@ struct DefinitionWriter {
         return s.build().function(program::Function::trunc, {x}, a.begin, a.end);
     }
 
+    /// Operator's manual, multiple repetitive cycles: P and Q of lengths have no decimal point.
+    void say_point(const Address& a) const {
+        if (!a.value.is_literal() || a.value.literal.integer || s.control.haas) return;
+        base::Diagnostic found;
+        found.severity = base::Severity::warning;
+        found.code = base::codes::value_range;
+        found.where = s.build().span(a.begin, a.end);
+        found.text = std::string(1, a.letter) + " of " + d.name + " counts increments and has no decimal point: the " +
+                     "control may stop here (alarm 7) or take another length than the " +
+                     base::shortest(a.value.number()) + " that it is read as";
+        found.remedy = "write " + std::string(1, a.letter) + base::shortest(std::round(a.value.number() * 1000)) +
+                       " for millimetres";
+        s.diagnostics.add(std::move(found));
+    }
+
     void word(const TurningWord& w) const {
         Address* a = find_address(s, w.letter);
         if (a == nullptr) return;
         for (const CycleSetting& x : d.settings)
             if (x.role == w.role) return;  // said by another word: this one stays, and is said
+        if (w.number == TurningNumber::increments) say_point(*a);
+        if (w.number == TurningNumber::angle) {
+            if (const auto angle = start_angle(s, *a)) add(w.role, as_expr(s, *angle), *a, false);
+            return;
+        }
         const Value v = value_of(s, *a, w.number);
         if (w.number == TurningNumber::lead) {  // it is the feed from here on, too
             put_value(s, Order::technology, Code::feed, v, *a);
@@ -157,8 +177,7 @@ void other_words(FanucState& s, const FanucTurningCycle& c) {
         if (passed_over)
             s.build().ignored(std::string(1, x.letter) + " of stock removal in one block", x.begin, x.end);
         else
-            add_problem(s, Code::unsupported, x.begin, x.end,
-                        x.letter == 'Q' && c.number == 760 ? "the starting angle of a thread" : "a word of this cycle");
+            add_problem(s, Code::unsupported, x.begin, x.end, "a word of this cycle");
     }
 }
 

@@ -99,6 +99,29 @@ void hole_cycle(FanucState& s, const FanucG& g, const Address& a) {
     s.lost_motion = true;
 }
 
+}  // namespace
+
+/// Operator's manual, multiple-thread cutting: 0 to 360000, thousandths of a degree, no decimal point; it holds in its
+/// block alone, and without it the thread begins at 0.
+std::optional<Value> start_angle(FanucState& s, Address& q) {
+    constexpr double whole_turn = 360'000;
+    q.used = true;
+    if (!q.value.is_literal()) return scaled(s, q.value, Quantity::milliseconds);
+    if (!q.value.literal.integer) {
+        fail(s, q.begin, q.end,
+             s.control.haas ? "the starting angle of a thread is a whole number"
+                            : "a decimal point cannot stand here (alarm 7)",
+             "write thousandths of a degree: Q180000 is 180 degrees");
+        return std::nullopt;
+    }
+    if (q.value.number() >= 0 && q.value.number() <= whole_turn) return scaled(s, q.value, Quantity::milliseconds);
+    add_problem(s, Code::unsupported, q.begin, q.end,
+                "the starting angle of a thread counts thousandths of a degree, from 0 to 360000");
+    return std::nullopt;
+}
+
+namespace {
+
 /// The lead stands in F (E for inches with many digits), or is the F before: along Z, or along X where Z is not
 /// programmed. False where it is not run.
 bool thread_lead(FanucState& s, const Address& a) {
@@ -114,11 +137,9 @@ bool thread_lead(FanucState& s, const Address& a) {
     Address lead = f != nullptr ? *f : a;
     const Value v = f != nullptr ? scaled(s, f->value, Quantity::feed) : feed_in_force(s, a.begin, a.end);
     put_value(s, Order::value, along_z ? Code::k : Code::i, v, lead);
-    if (Address* q = find_address(s, 'Q')) {
-        q->used = true;
-        add_problem(s, Code::unsupported, q->begin, q->end, "the starting angle of a thread");
-    }
-    return true;
+    if (Address* q = find_address(s, 'Q'))
+        if (const auto angle = start_angle(s, *q)) put_value(s, Order::value, Code::q, *angle, *q);
+    return !s.failed;
 }
 
 void thread(FanucState& s, const FanucG& g, const Address& a) {

@@ -172,6 +172,8 @@ enum class Quantity : std::uint8_t { length, angle, feed, milliseconds, thousand
 [[nodiscard]] Value scaled(FanucState& s, const Value& v, Quantity q);
 /// One address of a block with motion or settings.
 void emit_address(FanucState& s, Address& a);
+/// Q of a thread's block, in degrees (special.cpp); nothing after a complaint.
+std::optional<Value> start_angle(FanucState& s, Address& q);
 /// ROUND in an address rounds to the least input increment.
 void round_to_increments(FanucState& s, const Address& a);
 /// Marks addresses as used.

@@ -72,18 +72,24 @@ void keep_taper(const LineWriter& w, bool fresh) {
     }
 }
 
-void way(const LineWriter& w, Modal m, ExprId x, ExprId z, std::optional<Value> lead = std::nullopt) {
+/// Of a cycle with a thread.
+struct ThreadWords {
+    std::optional<Value> lead, start;
+};
+
+void way(const LineWriter& w, Modal m, ExprId x, ExprId z, const ThreadWords& thread = {}) {
     w.open();
     if (x != no_expr) w.word(Code::x, x);
     if (z != no_expr) w.word(Code::z, z);
-    if (lead) w.word(Code::k, as_expr(w.s, *lead));
+    if (thread.lead) w.word(Code::k, as_expr(w.s, *thread.lead));
+    if (thread.start) w.word(Code::q, as_expr(w.s, *thread.start));
     w.modal(m);
     w.close();
 }
 
 /// The cycle's four ways. G90: in along X, cut along Z, out, back. G92: the same with a thread. G94: in along Z, cut
 /// along X, out, back. A taper makes the cut begin elsewhere: in radius along X, in length along Z.
-void ways(const LineWriter& w, int code, std::optional<Value> lead) {
+void ways(const LineWriter& w, int code, const ThreadWords& thread) {
     const ExprId x = w.variable(end_x), z = w.variable(end_z);
     program::Builder& b = w.s.build();
     if (code == 940) {
@@ -94,7 +100,7 @@ void ways(const LineWriter& w, int code, std::optional<Value> lead) {
     }
     const ExprId twice = b.binary(Operator::multiply, w.number(2), w.variable(taper), w.begin, w.end);
     way(w, Modal::rapid, w.sum(w.variable(end_x), twice), no_expr);
-    way(w, code == 920 ? Modal::thread : Modal::linear, x, z, code == 920 ? lead : std::nullopt);
+    way(w, code == 920 ? Modal::thread : Modal::linear, x, z, code == 920 ? thread : ThreadWords{});
     way(w, code == 920 ? Modal::rapid : Modal::linear, w.variable(start_x), no_expr);
     way(w, Modal::rapid, no_expr, w.variable(start_z));
 }
@@ -105,8 +111,7 @@ void other_words(FanucState& s) {
     for (Address& a : s.addresses) {
         if (a.used) continue;
         a.used = true;
-        add_problem(s, Code::unsupported, a.begin, a.end,
-                    a.letter == 'Q' && s.turning == 920 ? "the starting angle of a thread" : "a word of this cycle");
+        add_problem(s, Code::unsupported, a.begin, a.end, "a word of this cycle");
     }
     if (!s.words.empty()) emit_block(s);
     s.words.clear();
@@ -114,14 +119,16 @@ void other_words(FanucState& s) {
 
 void single_cycle(FanucState& s, bool fresh) {
     const LineWriter w{s, s.line.begin(), s.line.end()};
-    std::optional<Value> lead;
+    ThreadWords thread;
     if (Address* f = find_address(s, 'F')) {
         const Value v = scaled(s, f->value, Quantity::feed);
-        lead = v;
+        thread.lead = v;
         f->used = true;
         put_value(s, Order::technology, Code::feed, v, *f);
     }
-    if (s.turning == 920 && !lead) lead = feed_in_force(s, w.begin, w.end);
+    if (s.turning == 920 && !thread.lead) thread.lead = feed_in_force(s, w.begin, w.end);
+    if (Address* q = s.turning == 920 ? find_address(s, 'Q') : nullptr) thread.start = start_angle(s, *q);
+    if (s.failed) return;
     // The words that are no part of the cycle act first.
     for (Address& a : s.addresses)
         if (!a.used && (a.letter == 'S' || a.letter == 'T')) emit_address(s, a);
@@ -134,7 +141,7 @@ void single_cycle(FanucState& s, bool fresh) {
     keep_taper(w, fresh);
     w.close();
     other_words(s);
-    ways(w, s.turning, lead);
+    ways(w, s.turning, thread);
 }
 
 }  // namespace

@@ -157,6 +157,7 @@ void turret(FanucState& s, const Address& a) {
                              : "more than four digits: which of them are the tool depends on the machine");
     if (*n < 100) {
         put_value(s, Order::technology, Code::tool, a.value, a);
+        put_value(s, Order::technology, Code::edge, whole(*n), a);  // T0303, the reading that changes the tool
     } else {
         put_value(s, Order::technology, Code::tool, whole(*n / 100), a);
         put_value(s, Order::technology, Code::edge, whole(*n % 100), a);

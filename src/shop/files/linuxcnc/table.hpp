@@ -81,9 +81,6 @@ struct LinuxcncTable {
 [[nodiscard]] std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit,
                                          base::Diagnostics& diagnostics);
 
-/// Tool::orientation, 1 to 9, as the table's Q, and the other way round: both count a mirrored picture of the other.
-[[nodiscard]] int table_orientation(int orientation);
-
 /// read_linuxcnc_table and tools_of in one.
 [[nodiscard]] std::vector<Tool> read_tbl(std::uint32_t file, const base::Sources& sources, double mm_per_unit,
                                          base::Diagnostics& diagnostics);

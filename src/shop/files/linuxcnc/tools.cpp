@@ -14,26 +14,18 @@
 #include "geom/vec.hpp"
 #include "shop/files/dropped.hpp"
 #include "shop/files/linuxcnc/table.hpp"
+#include "shop/orientation.hpp"
 
 namespace obrys::shop {
 
 namespace {
 
-/// How a tool of orientation Q becomes one that cuts from outside and feeds towards -Z, and what Tool::orientation is.
+/// How a tool of orientation Q becomes one that cuts from outside and feeds towards -Z.
 struct Turned {
-    int orientation = 3;
     double turn = 0, sign = 1;  ///< degrees: an edge at angle a then lies at turn + sign * a
 };
-constexpr std::array<Turned, 10> turned_tools{{{3, 0, 1},
-                                               {4, 180, -1},
-                                               {3, 0, 1},
-                                               {2, 0, -1},
-                                               {1, 180, 1},
-                                               {5, -90, 1},
-                                               {8, 0, 1},
-                                               {7, 90, -1},
-                                               {6, 0, -1},
-                                               {9, 0, 1}}};
+constexpr std::array<Turned, 10> turned_tools{
+    {{0, 1}, {180, -1}, {0, 1}, {0, -1}, {180, 1}, {-90, 1}, {0, 1}, {90, -1}, {0, -1}, {0, 1}}};
 
 double within_turn(double degrees) {
     const double d = std::fmod(degrees, 360);
@@ -106,7 +98,7 @@ void shape(Tool& t, const TableTool& row) {
     if (row.orientation == 0) return mill_shape(t, row);
     t.kind = ToolKind::turning;
     t.nose_radius = std::abs(row.diameter) / 2;
-    t.orientation = turned_tools[static_cast<std::size_t>(row.orientation)].orientation;
+    t.orientation = mirrored_orientation(row.orientation);
     if (!take_angles(t, row)) {
         if (t.orientation >= 5) t.entering_angle = 90 - t.tip_angle / 2;
         t.assumed = "tip angle " + base::shortest(t.tip_angle) + " degrees, entering angle " +
@@ -169,10 +161,6 @@ std::vector<Tool> tools_of(const LinuxcncTable& table, double mm_per_unit, base:
         t.table = row;
     }
     return out;
-}
-
-int table_orientation(int orientation) {
-    return turned_tools[base::clipped<std::size_t>(orientation, 0, turned_tools.size() - 1)].orientation;
 }
 
 std::vector<Tool> read_tbl(std::uint32_t file, const base::Sources& sources, double mm_per_unit,

@@ -1,6 +1,7 @@
 // Moves are added in pieces where the way in the material is to be measured. Their bodies are one: asked of the pieces,
 // a question costs as many times more, and between them lie faces that are none.
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -13,7 +14,8 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double same_point = 1e-9;  ///< mm
+constexpr double same_point = 1e-9;    ///< mm
+constexpr double same_circle = 0.002;  ///< of the tolerance: ends of arcs are rounded to decimals
 
 }  // namespace
 
@@ -29,8 +31,9 @@ bool Simulation::is_one(Whole whole, std::uint32_t next) const {
     }
     const Circle &own = circles_[s.circle - 1], &begun = circles_[first.circle - 1];
     const Vec3 from = first.from - begun.centre, to = s.to - begun.centre;
-    return own.turn == begun.turn && geom::distance(own.centre, begun.centre) <= same_point &&
-           std::abs(length(from) - length(to)) <= same_point && dot(from, to) >= -same_point * length(to);
+    const double same = std::max(same_point, same_circle * tolerance_);
+    return own.turn == begun.turn && geom::distance(own.centre, begun.centre) <= same &&
+           std::abs(length(from) - length(to)) <= same && dot(from, to) >= -same_point * length(to);
 }
 
 std::vector<Simulation::Whole> Simulation::wholes(std::span<const std::uint32_t> cuts) const {

@@ -13,8 +13,7 @@ namespace {
 
 using geom::Vec3;
 
-constexpr double beyond_line = 0.05;     ///< of a line's length
-constexpr std::size_t most_around = 24;  ///< bodies that are asked together how far material is from a point in air
+constexpr double beyond_line = 0.05;  ///< of a line's length
 
 /// One ray of a row, as rows of tiles are made (tile_cut.cpp).
 Row row_of(const Job& job, int axis, Vec3 from, const Lattice& lattice) {
@@ -134,6 +133,24 @@ bool Exact::is_material(const Near& near, Vec3 p) const {
     });
 }
 
+/// Of a fine helix many bodies share a face; of too many all the same those that a point lies deepest in.
+void Exact::add_side(const Side& side, std::array<Side, most_around>& around, std::size_t& count) {
+    constexpr double one_plane = 1e-3;  // between directions
+    Side* shallowest = nullptr;
+    for (std::size_t n = 0; n < count; ++n) {
+        if (geom::distance(around[n].in, side.in) < one_plane) {
+            around[n].outside = std::min(around[n].outside, side.outside);
+            return;
+        }
+        if (around[n].in == Vec3{}) continue;  // the blank, whose direction is not asked for yet
+        if (shallowest == nullptr || around[n].outside > shallowest->outside) shallowest = &around[n];
+    }
+    if (count < most_around)
+        around[count++] = side;
+    else if (shallowest != nullptr && side.outside < shallowest->outside)
+        *shallowest = side;
+}
+
 bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_material) const {
     if (!near.stock && !near.blank) return false;
     const double within = near.stock ? stock_.within(p) : HUGE_VAL;
@@ -149,8 +166,7 @@ bool Exact::is_on_surface(const Near& near, Vec3 p, double allowed, double in_ma
         const Foot foot = foot_on(*s.shape, s.track, own);
         if (foot.outside > in_material) continue;
         in_air = in_air || foot.outside < 0;
-        if (foot.outside < allowed && count < most_around)
-            around[count++] = {foot.outside, s.frame.to_stock(foot.gradient)};
+        if (foot.outside < allowed) add_side({foot.outside, s.frame.to_stock(foot.gradient)}, around, count);
         if (!(foot.outside > 0)) {
             if (foot.outside < -allowed || depth_in(*s.shape, own - foot.place) > allowed) return false;
             close = true;
@@ -230,23 +246,34 @@ double change_of_sign(const F& distance, double low, double high) {
 
 }  // namespace
 
-/// A blank's face on the line, as a gap. Thin parts of it within one line are not seen.
+/// A blank's faces on the line, as gaps. Thin parts of it within the line are not seen; a wall that one of its nodes
+/// stands in is, however thin: the line goes on a little beyond both.
 void Exact::stock_ends(const Near& near, int axis, Vec3 from, double low, double high,
                        std::vector<Interval>& out) const {
     if (!near.stock && near.blank) return;
+    if (!near.stock) {
+        out.push_back({low - 1, high + 1, 0, 0});
+        return;
+    }
     const auto within = [&](double at) {
         Vec3 p = from;
         set_component(p, axis, at);
         return stock_.within(p);
     };
-    const bool first = near.stock && within(low) > 0, last = near.stock && within(high) > 0;
-    if (first && last) return;
-    if (!first && !last) {
-        out.push_back({low - 1, high + 1, 0, 0});
-        return;
+    const double node = component(from, axis), beyond = node - low;
+    const std::array<double, 4> places{low, node, high - beyond, high};
+    bool material = within(low) > 0;
+    double begun = low - 1;  // of a gap
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if ((within(places[i]) > 0) == material) continue;
+        const double face = change_of_sign(within, places[i - 1], places[i]);
+        if (material)
+            begun = face;
+        else
+            out.push_back({begun, face, 0, 0});
+        material = !material;
     }
-    const double face = change_of_sign(within, low, high);
-    out.push_back(first ? Interval{face, high + 1, 0, 0} : Interval{low - 1, face, 0, 0});
+    if (!material) out.push_back({begun, high + 1, 0, 0});
 }
 
 void Exact::ends(const Near& near, int axis, Vec3 from, double high, std::vector<LineEnd>& out) const {

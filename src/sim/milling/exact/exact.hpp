@@ -71,8 +71,13 @@ public:
     /// Bodies of `near`: 0 is what lies beside the stock, the others are the sweeps.
     [[nodiscard]] static std::size_t bodies(const Near& near) { return near.sweeps.size() + 1; }
     [[nodiscard]] Side side(const Near& near, std::size_t body, geom::Vec3 p) const;
+    /// The same of one of its tool's convex parts; not of body 0.
+    [[nodiscard]] static double outside_of(const Near& near, std::size_t body, const Shape& part, geom::Vec3 p);
     /// Moves a point to where the faces of two or three bodies meet, the shortest way; false where that is not found.
     [[nodiscard]] bool meet(const Near& near, std::span<const std::size_t> of, geom::Vec3& p) const;
+    /// The shortest way out of all bodies of air that a point lies in, by their tangent planes; the point itself where
+    /// that is longer than `allowed`.
+    [[nodiscard]] geom::Vec3 out_of_air(const Near& near, geom::Vec3 p, double allowed) const;
     /// Two bodies of air touch at a point that lies no farther from both than so, with no material between them: cuts
     /// side by side without a gap.
     [[nodiscard]] bool is_touch(const Near& near, geom::Vec3 p, double allowed) const;
@@ -108,7 +113,12 @@ private:
     [[nodiscard]] double reach() const {
         return 0.5 * length(lattice_.step) + std::max({lattice_.step.x, lattice_.step.y, lattice_.step.z});
     }
-    [[nodiscard]] static bool is_left(std::span<const Side> around, double allowed);
+    static constexpr std::size_t most_around = 24;  ///< faces asked together how far material is from a point in air
+    static void add_side(const Side& side, std::array<Side, most_around>& around, std::size_t& count);
+    [[nodiscard]] static bool is_left(std::span<const Side> around, double allowed) {
+        return way_out(around, allowed).has_value();
+    }
+    [[nodiscard]] static std::optional<geom::Vec3> way_out(std::span<const Side> around, double allowed);
     [[nodiscard]] static Place block_of(const Place& cell) {
         return {cell[0] / block, cell[1] / block, cell[2] / block};
     }

@@ -44,6 +44,11 @@ Exact::Side Exact::side(const Near& near, std::size_t body, Vec3 p) const {
     return {foot.outside, s.frame.to_stock(foot.gradient)};
 }
 
+double Exact::outside_of(const Near& near, std::size_t body, const Shape& part, Vec3 p) {
+    const Air::Sweep& s = near.sweeps[body - 1];
+    return foot_on(part, s.track, s.frame.to_tool(p - s.from)).outside;
+}
+
 bool Exact::meet(const Near& near, std::span<const std::size_t> of, Vec3& p) const {
     const double far = 4 * length(lattice_.step);
     const Vec3 start = p;
@@ -87,7 +92,7 @@ bool Exact::is_touch(const Near& near, Vec3 p, double allowed) const {
 /// From a point in air with these bodies around it there is a way out of all of them no longer than so. Distances are
 /// convex, so what their tangents leave is outside of them. The way: of least length to all planes, by corrections of
 /// one after the other (C. Hildreth, "A quadratic programming procedure", 1957).
-bool Exact::is_left(std::span<const Side> around, double allowed) {
+std::optional<Vec3> Exact::way_out(std::span<const Side> around, double allowed) {
     constexpr int rounds = 40;
     const double fine = 0.02 * allowed;
     std::array<double, 24> few{};
@@ -99,7 +104,7 @@ bool Exact::is_left(std::span<const Side> around, double allowed) {
         for (std::size_t n = 0; n < around.size(); ++n) {
             const double square = dot(around[n].in, around[n].in);
             if (!(square > 1e-12)) {  // halfway between two faces no way is told
-                if (around[n].outside < -fine) return false;
+                if (around[n].outside < -fine) return std::nullopt;
                 continue;
             }
             const double missing = -(around[n].outside + dot(around[n].in, way));
@@ -108,9 +113,28 @@ bool Exact::is_left(std::span<const Side> around, double allowed) {
             way = way + more * around[n].in;
             most_missing = std::max(most_missing, missing);
         }
-        if (most_missing <= fine) return length(way) <= allowed;
+        if (most_missing <= fine) return length(way) <= allowed ? std::optional(way) : std::nullopt;
     }
-    return false;
+    return std::nullopt;
+}
+
+Vec3 Exact::out_of_air(const Near& near, Vec3 p, double allowed) const {
+    constexpr int steps = 3;  // faces are curved
+    const Vec3 start = p;
+    std::vector<Side> around;
+    for (int i = 0; i < steps; ++i) {
+        around.clear();
+        const auto add = [&](const Side& s) {
+            if (s.outside < allowed) around.push_back(s);
+        };
+        for (std::size_t body = near.stock ? 0 : 1; body < bodies(near); ++body) add(side(near, body, p));
+        if (near.stock)
+            for (const StockBody::Face& f : stock_.faces_at(p, allowed)) add({f.within, f.in});
+        const std::optional<Vec3> way = way_out(around, allowed);
+        if (!way || !(geom::distance(p + *way, start) <= allowed)) return start;
+        p = p + *way;
+    }
+    return p;
 }
 
 }  // namespace obrys::sim::milling

@@ -183,7 +183,7 @@ std::vector<std::uint32_t> WithinMaterial::not_held_by_own(const mesh::Mesh& mes
     return left;
 }
 
-std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed, std::size_t parts) {
+std::vector<WithinMaterial::Deep> WithinMaterial::places(const mesh::Mesh& mesh, double allowed, std::size_t parts) {
     std::vector<std::uint32_t> asked;
     for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t)
         if (proved_.find(key_of_corners(corners_of(mesh, t))) == KeyMap::none) asked.push_back(t);
@@ -199,12 +199,12 @@ std::vector<Vec3> WithinMaterial::places(const mesh::Mesh& mesh, double allowed,
         const std::optional<Exact::Near> near = exact_.about(cells[i], middle, farthest_from(middle, t) + 2 * allowed);
         found[i] = near ? TriangleSearch(exact_, allowed, parts).find(t, bodies_near(*near)) : middle;
     });
-    std::vector<Vec3> places;
+    std::vector<Deep> places;
     std::size_t next = 0;
     for (const std::uint32_t t : asked) {
         const bool looked_at = next < left.size() && left[next] == t;
         if (looked_at && found[next])
-            places.push_back(*found[next]);
+            places.push_back({*found[next], corners_of(mesh, t)});
         else
             proved_.add(key_of_corners(corners_of(mesh, t)), 1);
         if (looked_at) ++next;

@@ -17,10 +17,14 @@ class WithinMaterial {
 public:
     explicit WithinMaterial(Exact& exact);
 
+    struct Deep {
+        geom::Vec3 at;
+        Corners triangle;  ///< that it lies on
+    };
     /// Places of triangles deeper in the material than `allowed`; nothing else of the mesh lies deeper than 1.03 times
     /// that. In the order of the triangles, which have tags. One that is not shown to be right with so many parts
     /// counts as deeper.
-    [[nodiscard]] std::vector<geom::Vec3> places(const mesh::Mesh& mesh, double allowed, std::size_t parts);
+    [[nodiscard]] std::vector<Deep> places(const mesh::Mesh& mesh, double allowed, std::size_t parts);
 
     /// A convex body of air.
     struct Body {

@@ -76,7 +76,7 @@ TEST(WithinMaterial, WhatIsSaidToBeRightIsNowhereDeeper) {
                     if (std::abs(depth_at(air, t[k])) < 0.012) break;
                 }
             const mesh::Mesh mesh = triangle_of(t[0], t[1], t[2]);
-            const std::vector<Vec3> found = WithinMaterial(exact).places(mesh, within_allowed, 150);
+            const std::vector<WithinMaterial::Deep> found = WithinMaterial(exact).places(mesh, within_allowed, 150);
             (found.empty() ? right : wrong) += 1;
             double deepest = -INFINITY;
             for (int i = 0; i <= 20; ++i)

@@ -20,7 +20,8 @@ using geom::Vec3;
 constexpr double fine_sampled = 0.5, fine_within = 0.8;
 constexpr double small_leaf = 8;  ///< tolerances: a leaf's diagonal below which it is not asked what it may hide
 constexpr int most_levels = 6;
-constexpr int more_levels = 2;  ///< for what is off by more than the tolerance, and for places looked for: needles
+constexpr int more_levels = 2;   ///< for what is off by more than the tolerance, and for places looked for: needles
+constexpr int sharp_levels = 2;  ///< and for sharp lines: a scratch of 20 degrees is a third as wide as it is deep
 constexpr std::size_t most_known = 6'000'000;  ///< edges looked at, in all: some 500 MB with what belongs to them
 
 /// The largest slopes of a body's distance over a cell make its least value there: the distance is convex.
@@ -54,8 +55,9 @@ Fine::Fine(Exact& exact, double tolerance, const Lattice& lattice, const NodeBit
       coarse_(coarse),
       tolerance_(tolerance),
       stop_(stop),
-      leaves_(lattice, levels_for(lattice, tolerance) + more_levels),
+      leaves_(lattice, levels_for(lattice, tolerance) + more_levels + sharp_levels),
       usual_(std::max(1, leaves_.unit() >> static_cast<unsigned>(levels_for(lattice, tolerance)))),
+      smallest_(std::max(1, usual_ >> static_cast<unsigned>(more_levels))),
       exact_(exact) {}
 
 void Fine::refine(const std::vector<Place>& cells) {
@@ -66,19 +68,7 @@ void Fine::refine(const std::vector<Place>& cells) {
     halve(std::move(next));
 }
 
-std::vector<Unshown> Fine::show(const std::vector<Unshown>& places) {
-    std::vector<Leaf> next;
-    std::vector<Unshown> left;
-    for (const Unshown& u : places) {
-        bool halved = false;
-        for (const Vec3 p : {u.at, u.nearest})
-            if (Leaf leaf; leaf_of(p, leaf) && leaf.size > 1) next.push_back(leaf), halved = true;
-        if (!halved) left.push_back(u);
-    }
-    if (known_.size() >= most_known) return places;
-    halve(std::move(next));
-    return left;
-}
+bool Fine::is_full() const { return known_.size() >= most_known; }
 
 bool Fine::leaf_of(Vec3 p, Leaf& leaf) const {
     Place at{};
@@ -295,7 +285,7 @@ std::vector<Leaf> Fine::leaves_to_split() {
                     if (leaf.size > size) found[n].push_back(leaf);
                 return found[n].size() > before;
             };
-            if (!halve_down_to(usual_) && is_off(all_[n], e, tolerance_, tolerance_) && !halve_down_to(1))
+            if (!halve_down_to(usual_) && is_off(all_[n], e, tolerance_, tolerance_) && !halve_down_to(smallest_))
                 given_up[n].push_back(edges_[e].around[0]);
         }
     });

@@ -20,6 +20,7 @@ namespace obrys::sim::milling {
 /// A place of the exact surface that a mesh does not show.
 struct Unshown {
     geom::Vec3 at, nearest;  ///< `nearest`: on the mesh
+    Corners triangle;        ///< the mesh's own there
 };
 
 class Fine {
@@ -104,8 +105,12 @@ private:
     [[nodiscard]] geom::Vec3 vertex_of(const Piece& piece, NearCell& near) const;
     [[nodiscard]] PlaneFit planes_of(const Piece& piece) const;
     [[nodiscard]] PlaneFit planes_at(const Piece& piece, geom::Vec3 p) const;
+    void add_leaf(geom::Vec3 p, std::vector<Leaf>& out) const;
+    void add_leaves_at_corners(const Unshown& u, std::vector<Leaf>& out) const;
+    void add_leaves_beside(geom::Vec3 p, const Leaf& leaf, std::vector<Leaf>& out) const;
     [[nodiscard]] bool leaf_of(geom::Vec3 p, Leaf& leaf) const;
     [[nodiscard]] std::vector<Leaf> leaves_to_split();
+    [[nodiscard]] bool is_full() const;
     [[nodiscard]] bool has_room_for(std::size_t leaves) const;
     [[nodiscard]] bool needs_split(const Near& near, const Leaf& leaf) const;
     [[nodiscard]] bool is_off(const Near& here, const Corners& t, double allowed, double in_material) const;
@@ -136,7 +141,8 @@ private:
     double tolerance_;
     const Stop& stop_;
     Leaves leaves_;
-    std::int32_t usual_;  ///< size down to which leaves are halved, whatever is asked of them
+    std::int32_t usual_;     ///< size down to which leaves are halved, whatever is asked of them
+    std::int32_t smallest_;  ///< the same, but about places looked for
     Exact& exact_;
     KeyMap signs_;                    ///< 1: material
     std::array<KeyMap, 3> known_of_;  ///< number in `known_`, by axis and node

@@ -5,6 +5,7 @@
 
 #include "base/parallel.hpp"
 #include "mesh/distance.hpp"
+#include "mesh/primitives.hpp"
 #include "mesh/topology.hpp"
 #include "sim/milling/exact/exact.hpp"
 #include "sim/milling/fine_testing.hpp"
@@ -107,6 +108,29 @@ TEST(Fine, a_stock_whose_mesh_crosses_itself_ends_within_the_lattice) {
     std::atomic<int> asked = 0;  // what follows takes long, as nothing of it can be right
     const Surface found = extract_surface(s, [&] { return ++asked > 4; });
     EXPECT_GT(mesh::bounds(found.mesh).lo.z, -35.384 - 4 * s.dexels().lattice().step.z);
+}
+
+// Nodes stand in a wall of the stock that is thinner than the margin by which lines are looked at beyond these.
+TEST(Fine, a_wall_of_the_stock_thinner_than_the_tolerance_takes_no_time) {
+    constexpr double tolerance = 0.002, half = 0.0003;
+    mesh::Mesh wall = mesh::box({-half, -2, 0}, {half, 2, 3});
+    const MeshStock stock{wall.vertices, {wall.triangles.begin(), wall.triangles.end()}};
+    Lattice lattice = *make_lattice({{-1, -2.1, -0.1}, {1, 2.1, 3.1}}, 0.125);
+    lattice.origin.x = -9 * lattice.step.x;
+    Simulation s(stock, lattice, tolerance);
+    Pass pass;
+    pass.path = geom::Straight{{-4, -0.7, 0.5553}, {4, 0.6, 0.5553}};
+    RoundTool t;
+    t.kind = RoundTool::Kind::cone;
+    t.half_angle = geom::radians(10);
+    pass.tool = s.add_tool(testing::shape_of(t));
+    EXPECT_EQ(s.add(pass), Taken::taken);
+    s.flush();
+    const Surface surface = extract_surface(s);
+    expect_closed(surface.mesh);
+    EXPECT_EQ(surface.refined.open.size(), 0U);
+    EXPECT_LT(surface.refined.cells, 100U);
+    EXPECT_GT(mesh::volume(surface.mesh), 0.8 * 4 * 3 * 2 * half);
 }
 
 TEST(Fine, a_fin_thinner_than_the_lattice_stays) {

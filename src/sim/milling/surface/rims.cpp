@@ -49,27 +49,29 @@ std::vector<Rim> rims_of(const Shape& shape, double tolerance) {
     return all;
 }
 
-/// Places by the cell they lie in.
-class ByCell {
+/// Lines, as places along them in cells with nodes in material.
+class Lines {
 public:
-    ByCell(const Lattice& lattice, const NodeBits& nodes) : lattice_(lattice), nodes_(nodes) {}
-    void add(Vec3 p) {
+    Lines(const Lattice& lattice, const NodeBits& nodes) : lattice_(lattice), nodes_(nodes) {}
+    struct At {
+        Vec3 p, centre;
+        double radius = 0;
+        Place cell{};
+        bool joined = false;  ///< to the one before it
+    };
+    void begin() { open_ = false; }
+    void add(Vec3 p, Vec3 centre, double radius) {
         const std::optional<Place> cell = cell_at(lattice_, p);
-        if (!cell || nodes_.corners((*cell)[0], (*cell)[1], (*cell)[2]) == 0) return;
-        const std::uint32_t n = number_.add(key_of(*cell), static_cast<std::uint32_t>(cells.size()));
-        if (n == cells.size()) {
-            cells.push_back(*cell);
-            places.emplace_back();
-        }
-        places[n].push_back(p);
+        if (!cell || nodes_.corners((*cell)[0], (*cell)[1], (*cell)[2]) == 0) return begin();
+        places.push_back({p, centre, radius, *cell, open_});
+        open_ = true;
     }
-    std::vector<Place> cells;
-    std::vector<std::vector<Vec3>> places;
+    std::vector<At> places;
 
 private:
     const Lattice& lattice_;
     const NodeBits& nodes_;
-    KeyMap number_;
+    bool open_ = false;
 };
 
 /// The way's direction at its beginning or end.
@@ -87,7 +89,7 @@ bool is_left_behind(const Rim& rim, geom::Vec2 out, Vec3 way) {
 
 class RimPlaces {
 public:
-    RimPlaces(ByCell& places, const Lattice& lattice, double apart) : places_(places), apart_(apart) {
+    RimPlaces(Lines& places, const Lattice& lattice, double apart) : places_(places), apart_(apart) {
         box_.min = lattice.origin;
         box_.max = lattice.node(lattice.count[0] - 1, lattice.count[1] - 1, lattice.count[2] - 1);
     }
@@ -95,14 +97,18 @@ public:
     /// Where the tool stands, between two moves; either way may be zero.
     void standing(const Air::Sweep& s, const Rim& rim, Vec3 at, Vec3 came, Vec3 goes) {
         if (is_far(s, rim, at)) return;
-        const double count = std::max(1.0, std::ceil(2 * geom::pi * rim.r / apart_));
-        for (double i = 0; i < count; ++i) {
+        const Vec3 centre = s.from + s.frame.to_stock(at + Vec3{0, 0, rim.z});
+        const double count = rim.r > 0 ? std::max(8.0, std::ceil(2 * geom::pi * rim.r / apart_)) : 1;
+        places_.begin();
+        for (double i = 0; i < count + (rim.r > 0 ? 1 : 0); ++i) {
             const double turn = 2 * geom::pi * i / count;
             const geom::Vec2 out{std::cos(turn), std::sin(turn)};
             // Moving on or having come, the tool covers the place.
-            if (came != Vec3{} && is_left_behind(rim, out, came)) continue;
-            if (goes != Vec3{} && is_left_behind(rim, out, -1.0 * goes)) continue;
-            add(s, rim, at, out);
+            if ((came != Vec3{} && is_left_behind(rim, out, came)) ||
+                (goes != Vec3{} && is_left_behind(rim, out, -1.0 * goes)))
+                places_.begin();
+            else
+                places_.add(place_of(s, rim, at, out), centre, rim.r);
         }
     }
     void along(const Air::Sweep& s, const Rim& rim) {
@@ -111,15 +117,19 @@ public:
                                ? s.track.radius * std::acos(std::clamp(dot(s.track.first, s.track.last), -1.0, 1.0))
                                : length(s.track.v);
         if (s.track.upright() || !(v.x * v.x + v.y * v.y > 0)) return;
-        // A point leaves a groove whose bottom no face beside it bounds.
         const double count = std::ceil(way / (rim.r > 0 ? apart_ : 0.2 * apart_));
-        for (double i = 0; i <= count; ++i) {
-            const Vec3 at = point_on(s.track, i / count);
-            geom::Vec2 side{-v.y, v.x};
-            if (s.track.circular) side = geom::Vec2{at.x, at.y} - s.track.centre;
-            side = (1 / geom::length(side)) * side;
-            add(s, rim, at, side);
-            add(s, rim, at, -1.0 * side);
+        for (const double hand : {1.0, -1.0}) {
+            if (hand < 0 && !(rim.r > 0)) return;
+            places_.begin();
+            for (double i = 0; i <= count; ++i) {
+                const Vec3 at = point_on(s.track, i / count);
+                geom::Vec2 side{-v.y, v.x};
+                if (s.track.circular) side = geom::Vec2{at.x, at.y} - s.track.centre;
+                side = (hand / geom::length(side)) * side;
+                const Vec3 centre = s.from + s.frame.to_stock({s.track.centre.x, s.track.centre.y, at.z + rim.z});
+                places_.add(place_of(s, rim, at, side), centre,
+                            s.track.circular ? std::abs(s.track.radius + hand * rim.r) : 0);
+            }
         }
     }
 
@@ -134,10 +144,10 @@ private:
         }
         return false;
     }
-    void add(const Air::Sweep& s, const Rim& rim, Vec3 at, geom::Vec2 out) {
-        places_.add(s.from + s.frame.to_stock(at + Vec3{rim.r * out.x, rim.r * out.y, rim.z}));
+    [[nodiscard]] static Vec3 place_of(const Air::Sweep& s, const Rim& rim, Vec3 at, geom::Vec2 out) {
+        return s.from + s.frame.to_stock(at + Vec3{rim.r * out.x, rim.r * out.y, rim.z});
     }
-    ByCell& places_;
+    Lines& places_;
     double apart_;
     Box3 box_;
 };
@@ -148,12 +158,57 @@ bool goes_on(const Air::Sweep& a, const Air::Sweep& b) {
            geom::distance(a.from + a.frame.to_stock(a.track.v), b.from) < 1e-9;
 }
 
+/// Which of the places are of the surface.
+std::vector<std::uint8_t> on_surface(const Lines& lines, Exact& exact, double tolerance) {
+    std::vector<Place> cells;
+    std::vector<std::vector<std::uint32_t>> of_cell;
+    KeyMap number;
+    for (std::uint32_t i = 0; i < lines.places.size(); ++i) {
+        const Place& cell = lines.places[i].cell;
+        const std::uint32_t n = number.add(key_of(cell), static_cast<std::uint32_t>(cells.size()));
+        if (n == cells.size()) {
+            cells.push_back(cell);
+            of_cell.emplace_back();
+        }
+        of_cell[n].push_back(i);
+    }
+    exact.prepare(cells);
+    const double allowed = bare_share * tolerance;
+    std::vector<std::uint8_t> on(lines.places.size());
+    base::for_all(cells.size(), [&](std::size_t n) {
+        const Exact::Near near = exact.near(cells[n], false);
+        for (const std::uint32_t i : of_cell[n]) {
+            const Vec3 p = lines.places[i].p;
+            on[i] = exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed) ? 1 : 0;
+        }
+    });
+    return on;
+}
+
 }  // namespace
 
-std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes, Sharp sharp) {
+Vec3 SharpPart::middle(Vec3 a, Vec3 b) const {
+    const Vec3 half = 0.5 * (a + b), out = half - centre;
+    const double size = length(out);
+    return radius > 0 && size > 0 ? centre + (radius / size) * out : half;
+}
+
+double SharpPart::bend(Vec3 a, Vec3 b) const {
+    // Up to a quarter of a circle: at most 1.18 times what its parabola says.
+    const Vec3 chord = b - a;
+    return radius > 0 ? dot(chord, chord) / (6.5 * radius) : 0;
+}
+
+bool is_sharp_place(const Exact& exact, const Place& cell, Vec3 p, double tolerance) {
+    const double allowed = bare_share * tolerance;
+    const Exact::Near near = exact.near(cell, p, 2 * tolerance, false);
+    return exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed);
+}
+
+std::vector<SharpPart> rims(const Simulation& simulation, Exact& exact, const NodeBits& nodes, Sharp sharp) {
     const Lattice& l = exact.lattice();
-    ByCell by_cell(l, nodes);
-    RimPlaces places(by_cell, l, 0.5 * std::min({l.step.x, l.step.y, l.step.z}));
+    Lines lines(l, nodes);
+    RimPlaces places(lines, l, 0.5 * std::min({l.step.x, l.step.y, l.step.z}));
     const Shape* last_shape = nullptr;
     std::vector<Rim> rims;
     bool joined = false;  // to the sweep before
@@ -176,16 +231,19 @@ std::vector<Vec3> rims(const Simulation& simulation, Exact& exact, const NodeBit
         }
         joined = goes, came = way_at(s.track, true);
     }
-    exact.prepare(by_cell.cells);
-    const double allowed = bare_share * simulation.tolerance();
-    std::vector<std::vector<Vec3>> found(by_cell.cells.size());
-    base::for_all(found.size(), [&](std::size_t n) {
-        const Exact::Near near = exact.near(by_cell.cells[n], false);
-        for (const Vec3& p : by_cell.places[n])
-            if (exact.is_on_surface(near, p, allowed) && !exact.is_touch(near, p, allowed)) found[n].push_back(p);
-    });
-    std::vector<Vec3> all;
-    for (const std::vector<Vec3>& f : found) all.insert(all.end(), f.begin(), f.end());
+    const std::vector<std::uint8_t> on = on_surface(lines, exact, simulation.tolerance());
+    std::vector<SharpPart> all;
+    const std::vector<Lines::At>& at = lines.places;
+    for (std::size_t i = 0; i < at.size(); ++i) {
+        const bool goes_on = i + 1 < at.size() && at[i + 1].joined;
+        if (goes_on && (on[i] != 0 || on[i + 1] != 0)) {
+            const bool shared = at[i].joined && !all.empty() && all.back().to.at == at[i].p;
+            all.push_back(
+                {{at[i].p, on[i] != 0}, {at[i + 1].p, on[i + 1] != 0}, at[i].centre, at[i].radius, at[i].cell, shared});
+        } else if (!goes_on && !at[i].joined && on[i] != 0) {
+            all.push_back({{at[i].p, true}, {at[i].p, true}, {}, 0, at[i].cell, false});
+        }
+    }
     return all;
 }
 

@@ -21,7 +21,8 @@ constexpr std::size_t most_parts = 200;    ///< of a group of cells
 constexpr std::size_t most_more = 4000;    ///< more of them, where pairs would be left out
 constexpr double smallest_part = 0.06;     ///< steps: half of one that is not divided any more
 constexpr double part_margin = 0.25;       ///< of a part's size: how far around it is looked
-constexpr double same_face = 0.05;         ///< of what bodies may reach over a place: hidden but for so much
+constexpr double chords = 0.25;     ///< of that: a helix's chords reach over each other by a twentieth of the tolerance
+constexpr double same_face = 0.05;  ///< of what bodies may reach over a place: hidden but for so much
 
 /// Edges and corners near one cell, or some together: part by part where many faces are near.
 class CellEdges {
@@ -39,9 +40,8 @@ public:
 
     void find(Edges& out) {
         if (near_.sweeps.empty()) return;
-        convex_.assign(1, 0);
-        for (const Air::Sweep& sweep : near_.sweeps)
-            convex_.push_back(!sweep.track.circular && exact_.parts_of(sweep.shape).size() == 1 ? 1 : 0);
+        convex_.assign(1, nullptr);
+        for (std::size_t body = 1; body < Exact::bodies(near_); ++body) convex_.push_back(convex_part(body));
         std::vector<Face> all;
         for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) all.push_back({body, {}});
         left_ = most_parts, more_ = most_more;
@@ -136,7 +136,8 @@ private:
         const auto hides = [&](std::size_t n, const Face& f) {
             for (std::size_t c = 0; c < 8; ++c) {
                 if (std::isnan(over[n][c]))
-                    over[n][c] = exact_.side(near_, hiding[n].body, part.middle + corners[c]).outside;
+                    over[n][c] =
+                        exact_.outside_of(near_, hiding[n].body, *convex_[hiding[n].body], part.middle + corners[c]);
                 if (over[n][c] > f.side.outside + dot(f.side.in, corners[c]) + same_face * allowed_) return false;
             }
             return true;
@@ -156,7 +157,22 @@ private:
                   [](const Face& a, const Face& b) { return std::abs(a.side.outside) < std::abs(b.side.outside); });
     }
 
-    [[nodiscard]] bool is_convex(std::size_t body) const { return convex_[body] != 0; }
+    [[nodiscard]] bool is_convex(std::size_t body) const { return convex_[body] != nullptr; }
+
+    /// Of a body on a straight way the only convex part that comes near: its distance is that of the body.
+    [[nodiscard]] const Shape* convex_part(std::size_t body) const {
+        const Air::Sweep& sweep = near_.sweeps[body - 1];
+        if (sweep.track.circular) return nullptr;
+        const std::vector<const Shape*>& parts = exact_.parts_of(sweep.shape);
+        if (parts.size() == 1) return parts.front();
+        const Shape* only = nullptr;
+        for (const Shape* part : parts) {
+            if (exact_.outside_of(near_, body, *part, all_.middle) >= 2 * all_.reach) continue;
+            if (only != nullptr) return nullptr;
+            only = part;
+        }
+        return only;
+    }
 
     void edge(const Part& part, const std::array<std::size_t, 2>& two, std::vector<Vec3>& out) {
         Vec3 p = part.middle;
@@ -168,14 +184,14 @@ private:
             if (over_ < step_) corner(part, {two[0], two[1], last_}, p, out);
             return;
         }
-        out.push_back(p);
+        add(p, out);
         const Vec3 along = cross(one.in, other.in);
         const double size = length(along);
         for (const double share : {-0.6, -0.4, -0.2, 0.2, 0.4, 0.6})
             if (Vec3 q = p + (share * part.along / size) * along; size > 0 && exact_.meet(near_, two, q)) {
                 if (!is_in(part, q)) continue;
                 if (is_bare(q))
-                    out.push_back(q);
+                    add(q, out);
                 else if (over_ < step_)
                     corner(part, {two[0], two[1], last_}, q, out);
             }
@@ -183,7 +199,7 @@ private:
 
     void corner(const Part& part, const std::array<std::size_t, 3>& three, Vec3 p, std::vector<Vec3>& out) {
         if (three[2] == three[0] || three[2] == three[1] || !exact_.meet(near_, three, p)) return;
-        if (is_in(part, p) && is_bare(p)) out.push_back(p);
+        if (is_in(part, p) && is_bare(p)) add(p, out);
     }
 
     /// Both bodies end there, none of them in the other's face: a little beside the edge each alone takes the material.
@@ -199,12 +215,18 @@ private:
         return false;
     }
 
+    /// A place that `is_bare` was asked for last: where a body reaches over it a little, what is left beside it.
+    void add(Vec3 p, std::vector<Vec3>& out) const {
+        out.push_back(a_little_ > chords * allowed_ ? exact_.out_of_air(near_, p, allowed_) : p);
+    }
+
     /// No body reaches over a place; the one that does is asked first the next time.
     [[nodiscard]] bool is_bare(Vec3 p) {
-        over_ = -exact_.side(near_, last_, p).outside;
+        over_ = a_little_ = -exact_.side(near_, last_, p).outside;
         if (over_ > allowed_) return false;
         for (std::size_t body = near_.stock ? 0 : 1; body < Exact::bodies(near_); ++body) {
             const double over = -exact_.side(near_, body, p).outside;
+            a_little_ = std::max(a_little_, over);
             if (over <= allowed_) continue;
             last_ = body, over_ = over;
             return false;
@@ -219,7 +241,7 @@ private:
 
     const Exact& exact_;
     Exact::Near near_;
-    std::vector<char> convex_;  ///< by body
+    std::vector<const Shape*> convex_;  ///< by body: none, or the only part that comes near
     double allowed_ = 0, step_ = 0;
     Part all_;
     std::size_t left_ = 0;     ///< parts that may still be looked at
@@ -227,6 +249,7 @@ private:
     std::vector<Vec3> tried_;  ///< of this part
     std::size_t last_ = 1;     ///< the body that was found over a place last, and how far
     double over_ = 0;
+    double a_little_ = 0;  ///< how far any reaches over it
 };
 
 }  // namespace

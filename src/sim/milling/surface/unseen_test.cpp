@@ -166,6 +166,28 @@ TEST(Unseen, too_many_faces_about_a_place_are_told) {
     }
 }
 
+// A scratch of a sharp point is narrower than cells as small as the tolerance: its bottom is held to all along.
+TEST(Unseen, the_bottom_of_a_shallow_scratch_is_in_the_surface_all_along) {
+    for (const double deep : {0.0111, 0.0206, 0.05}) {
+        Simulation s = blank();
+        testing::RoundTool t;
+        t.kind = testing::RoundTool::Kind::cone;
+        t.half_angle = geom::radians(10);
+        const std::uint32_t tool = s.add_tool(testing::shape_of(t));
+        const Vec3 from{2.03, 3.17, 6 - deep}, to{9.41, 8.77, 6 - deep};
+        cut(s, tool, from + Vec3{0, 0, 5}, from);
+        cut(s, tool, from, to);
+        const Surface surface = surface_of(s);
+        EXPECT_EQ(surface.refined.filled.size(), 0U);
+        const mesh::Distance distance(surface.mesh);
+        double worst = 0;
+        constexpr int places = 20'000;
+        for (int i = 0; i <= places; ++i)
+            worst = std::max(worst, distance.nearest(from + (double(i) / places) * (to - from)).distance);
+        EXPECT_LE(worst, unseen_tolerance) << deep;
+    }
+}
+
 // What is asked for but not done is not done by half: the mesh is closed, only coarser.
 TEST(Unseen, a_surface_that_is_told_to_stop_is_closed) {
     Simulation s = blank();

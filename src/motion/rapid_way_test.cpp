@@ -1,6 +1,6 @@
 /// Bent rapids: where they lead, and by which way.
 
-#include "check/touching/rapid_way.hpp"
+#include "motion/rapid_way.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "base/seed_testing.hpp"
 
-namespace obrys::check {
+namespace obrys::motion {
 namespace {
 
 using geom::Vec3;
@@ -88,4 +88,4 @@ TEST(RapidWay, ItsCornersLieInTheBoxOfItsEnds) {
 }
 
 }  // namespace
-}  // namespace obrys::check
+}  // namespace obrys::motion
