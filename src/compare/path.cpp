@@ -49,6 +49,11 @@ std::int64_t length_of(const motion::State& s) {
     return (std::int64_t{s.length.offset} + 1) * (s.length.sense > 0 ? 1 : -3);
 }
 
+bool turned_by_control(const cl::Frame& frame) {
+    return std::any_of(frame.parts.begin(), frame.parts.end(),
+                       [](const cl::FramePart& p) { return p.turn.by_control; });
+}
+
 }  // namespace
 
 bool has_state(const cl::Step& event) {
@@ -118,15 +123,6 @@ bool Path::is_turned() const {
     return !std::all_of(frames.begin(), frames.end(),
                         [](const cl::FramePart& p) { return p.frame.linear == geom::Frame{}.linear; });
 }
-
-namespace {
-
-bool turned_by_control(const cl::Frame& frame) {
-    return std::any_of(frame.parts.begin(), frame.parts.end(),
-                       [](const cl::FramePart& p) { return p.turn.by_control; });
-}
-
-}  // namespace
 
 /// An arc no longer than places lie apart: rounded words beside a smooth joint have it or not.
 bool Path::is_of_no_length(const cl::Arc& arc) const {

@@ -280,7 +280,7 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto& frame = cursor_.state().frame.parts;
     const bool turned = taken_up_ && std::any_of(frame.begin(), frame.end(),
                                                  [](const auto& p) { return p.kind == cl::FrameKind::plane; });
-    const bool is_said = with_plane && !place_ && axes_.empty() && (stand_anew || tells_axis_alone(line, from)) &&
+    const bool is_said = with_plane && !place_ && !stand_anew && axes_.empty() && tells_axis_alone(line, from) &&
                          frames_.parts() == frame && !turned;
     if (is_said) {
         pointed_ = line->axis, counts_anew_ = false;
