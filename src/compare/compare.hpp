@@ -62,6 +62,9 @@ struct Result {
     /// B, which was written from A, compensates the lengths of several tools, and A none: whether its zeros are for
     /// that nobody knows.
     std::optional<Difference> lengths;
+    /// The control turns the rotary axes to a tilted plane by itself, and which of their positions it takes one says
+    /// and the other does not: whether the machine does the same nobody knows.
+    std::optional<Difference> turns;
     std::vector<std::string>
         assumed;  ///< what is taken for granted besides, where one says otherwise what the other does
     [[nodiscard]] const Difference* of(Aspect a) const;

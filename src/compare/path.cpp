@@ -49,6 +49,11 @@ std::int64_t length_of(const motion::State& s) {
     return (std::int64_t{s.length.offset} + 1) * (s.length.sense > 0 ? 1 : -3);
 }
 
+bool turned_by_control(const cl::Frame& frame) {
+    return std::any_of(frame.parts.begin(), frame.parts.end(),
+                       [](const cl::FramePart& p) { return p.turn.by_control; });
+}
+
 }  // namespace
 
 bool has_state(const cl::Step& event) {
@@ -126,13 +131,12 @@ bool Path::is_of_no_length(const cl::Arc& arc) const {
 }
 
 /// A line to where the tool stands, with its axis as it is. A working plane that is tilted tells another axis, and
-/// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells.
+/// nothing moves yet; nor does what the control does by itself to turn to it, which no move tells, or with the end of a
+/// plane to which it has turned: where the tip is then nobody knows.
 bool Path::leads_nowhere(const cl::Step& step, const geom::Vec3& to) const {
     if (const auto* arc = std::get_if<cl::Arc>(&step)) return is_of_no_length(*arc);
     const auto* line = std::get_if<cl::Linear>(&step);
-    const auto& frames = cursor_.state().frame.parts;
-    const bool by_control =
-        tilts_ && std::any_of(frames.begin(), frames.end(), [](const cl::FramePart& p) { return p.turn.by_control; });
+    const bool by_control = tilts_ && (was_turned_ || turned_by_control(cursor_.state().frame));
     const bool unknown = std::isnan(to.x) && std::isnan(to.y) && std::isnan(to.z);
     const bool rapid = line != nullptr && line->rapid && line->seek == cl::Seek::nothing;
     // With another plane the axes count otherwise, and nobody knows the tip's place in it; the next move tells them.
@@ -198,6 +202,8 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
     // Ways to places of the machine that nobody knows are as many as the program says, however near they lie.
     const bool is_known = std::isfinite(to.x) && std::isfinite(to.y) && std::isfinite(to.z);
     if (!turned && !(to_holder_ && !is_known) && leads_nowhere(record.step, to)) {
+        const bool ends_nowhere = was_turned_ && !turned_by_control(cursor_.state().frame) && std::isnan(to.x);
+        if (ends_nowhere) at_ = to;
         tilts_ = tilts_ && !std::isnan(to.x);  // one such step a plane: the next one to nobody knows where is a move
         return said_.reset();
     }
@@ -237,7 +243,7 @@ void Path::take_move(const cl::Record& record, const geom::Vec3& to) {
         move.from = record.from, move.stack = record.stack;
     }
     at_ = now;
-    tilts_ = false;
+    tilts_ = was_turned_ = false;
     tool_ = *cl::tool_axis_of(record.step);
 }
 
@@ -277,6 +283,7 @@ void Path::take(const cl::Record& record) {
         return;
     }
     const auto datum = cursor_.state().datum;
+    was_turned_ = was_turned_ || (std::holds_alternative<cl::Frame>(step) && turned_by_control(cursor_.state().frame));
     cursor_.take(record);
     held_ = false;
     const auto* stop = std::get_if<cl::Stop>(&step);

@@ -128,6 +128,7 @@ private:
     std::optional<cl::Record> said_;      ///< a MachinePlace of the frame, of the move that follows
     geom::Vec3 tool_{NAN, NAN, NAN};      ///< its axis there
     bool tilts_ = false;                  ///< another frame since then
+    bool was_turned_ = false;             ///< one of those since then had its axes turned by the control
     bool turns_alone_ = false;            ///< the last move, at rapid, of axes that its frame does not count
     cl::ToolLength length_there_;         ///< that was compensated there
     std::optional<std::size_t> item_at_;  ///< moves before the last event, cycle or element of a contour

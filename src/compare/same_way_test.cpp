@@ -71,6 +71,69 @@ TEST(SameWay, AxesThatTurnBeforeTheirPlane) {
     }
 }
 
+/// The control turns the axes to the plane by itself, and the tool's way on the workpiece is the same in both of their
+/// positions: which of them is a difference of its own, whatever else is said otherwise before it.
+TEST(SameWay, TurnsOfAxesThatNoMoveTells) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const geom::Vec3 tool{0.6, 0, 0.8};
+    const auto in_plane = [&](std::int8_t side, bool table, bool by_control = true, double shift = 0) {
+        cl::FramePart plane{cl::FrameKind::plane, {}, {side, table, by_control}}, first{cl::FrameKind::shift, {}};
+        plane.frame.linear = {0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8};
+        first.frame.origin = {shift, 0, 0};
+        Steps all{line(1)};
+        if (shift != 0) all.insert(all.end(), {cl::Frame{{first}}, line(2)});
+        if (shift == 0) all.push_back(line(2));
+        all.insert(all.end(), {cl::Frame{{plane}}, cl::Linear{{unknown, unknown, unknown}, tool, true},
+                               cl::Linear{{5, 0, 9}, tool, true}});
+        return all;
+    };
+    const auto found = [&](const Steps& a, const Steps& b, bool written = false) {
+        Tolerance t;
+        t.is_written_from_a = written;
+        const Path p = path_of(a), q = path_of(b);
+        const Result r = compare(p, q, t);
+        const Difference* frame = r.of(Aspect::frame);
+        return std::string(frame == nullptr ? "same"
+                           : frame->is_done ? "differs"
+                                            : "said otherwise") +
+               (r.turns ? ", not known" : "");
+    };
+    for (const bool written : {false, true}) {
+        EXPECT_EQ(found(in_plane(0, false), in_plane(0, false), written), "same");
+        EXPECT_EQ(found(in_plane(1, false), in_plane(1, false), written), "same");
+        EXPECT_EQ(found(in_plane(1, false), in_plane(-1, false), written), "differs");
+        EXPECT_EQ(found(in_plane(1, false, true, 3), in_plane(-1, false), written), "differs");
+        EXPECT_EQ(found(in_plane(1, false), in_plane(0, false), written), "said otherwise, not known");
+        EXPECT_EQ(found(in_plane(0, true), in_plane(0, false), written), "said otherwise, not known");
+        // Moves tell where the axes are.
+        EXPECT_EQ(found(in_plane(1, false, false), in_plane(-1, false, false), written), "said otherwise");
+    }
+    EXPECT_EQ(found(in_plane(0, false), in_plane(-1, false)), "said otherwise, not known");
+    EXPECT_EQ(found(in_plane(0, false), in_plane(-1, false), true), "said otherwise");
+}
+
+/// Behind the end of a plane to which the control has turned the axes nobody knows the tip's place: a way to a height
+/// is none to the place that another program says.
+TEST(SameWay, TheEndOfAPlaneThatTheControlTurnedTo) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const geom::Vec3 tool{0.6, 0, 0.8}, up{0, 0, 1};
+    cl::FramePart plane{cl::FrameKind::plane, {}, {0, false, true}};
+    plane.frame.linear = {0.8, 0, 0.6, 0, 1, 0, -0.6, 0, 0.8};
+    cl::MachinePlace height{cl::PlaceKind::frame};
+    height.axes = {false, false, true};
+    const auto go = [](geom::Vec3 to, geom::Vec3 axis) { return cl::Linear{to, axis, true, cl::Seek::nothing}; };
+    const auto behind = [&](const Steps& last) {
+        Steps all{line(1), cl::Frame{{plane}}, go({unknown, unknown, unknown}, tool), go({5, 0, 9}, tool), cl::Frame{}};
+        all.insert(all.end(), last.begin(), last.end());
+        return all;
+    };
+    const cl::Linear told = go({unknown, unknown, unknown}, up);
+    const Steps to_height = behind({told, height, go({unknown, unknown, 100}, up)});
+    EXPECT_EQ(path_of(to_height).moves.size(), 3U);
+    EXPECT_EQ(differences(to_height, to_height), "");
+    EXPECT_NE(differences(to_height, behind({go({5, 0, 100}, up)})), "");
+}
+
 /// Readers tell such a height by what they count: with the length of the tool before (HEIDENHAIN) or of the tool that
 /// is there now (FANUC). No block moves along it in either, so that the machine stands where it stood.
 TEST(SameWay, AHeightThatIsNotSaidYetIsNotCompared) {

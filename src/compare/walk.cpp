@@ -10,6 +10,9 @@ namespace {
 
 /// A difference in the length that is compensated belongs to an aspect that only the whole programs tell.
 constexpr Aspect length_aspect = Aspect::count;
+/// Differences of frames that are more than their words.
+constexpr auto turn_aspect = static_cast<Aspect>(aspect_count + 1),
+               unsaid_turn_aspect = static_cast<Aspect>(aspect_count + 2);
 
 std::string with_axes(const Move& m) {
     std::string out = words(m.step);
@@ -52,6 +55,31 @@ bool is_elsewhere(const cl::Datum& a, const cl::Datum& b, const Likeness& like) 
     const bool by_number =
         like.same_control() || (like.is_written_from_a() && kind != 0 && kind == kind_of_zero(b.number));
     return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) || (by_number && unknown && a.number != b.number);
+}
+
+/// How the axes turn to the tilted plane in force, where the control does that by itself and no move tells it.
+const cl::PlaneTurn* turn_by_control(const cl::Frame& frame) {
+    const auto at = std::find_if(frame.parts.rbegin(), frame.parts.rend(),
+                                 [](const cl::FramePart& p) { return p.turn.by_control; });
+    return at == frame.parts.rend() ? nullptr : &at->turn;
+}
+
+/// Both choose, and not the same.
+bool turn_otherwise(const cl::PlaneTurn& a, const cl::PlaneTurn& b) {
+    return a.side != 0 && b.side != 0 && a.side != b.side;
+}
+
+/// One says what the other leaves to its control; of what was written, what the program leaves may be said.
+bool may_turn_otherwise(const cl::PlaneTurn& a, const cl::PlaneTurn& b, const Likeness& like) {
+    const bool left_to_it = a.side == 0 && like.is_written_from_a();
+    return (a.side != b.side && !left_to_it) || a.table_turns != b.table_turns;
+}
+
+std::string words(const cl::PlaneTurn& turn) {
+    const std::string which = turn.side > 0   ? "the position with its master axis positive"
+                              : turn.side < 0 ? "the position with its master axis negative"
+                                              : "whichever position the control chooses";
+    return which + (turn.table_turns ? ", the table turning rather than the coordinates" : "");
 }
 
 }  // namespace
@@ -214,6 +242,7 @@ void Walk::compare_holding(const Move& a, const Move& b) {
     if (!to.has(Aspect::motion) && is_elsewhere(h.datum, k.datum, like))
         add_motion(to, &a, &b, number(), words(h.datum) + "; in the other " + words(k.datum));
     held(Aspect::frame, h.frame, k.frame);
+    compare_turns(a, b);
     held(Aspect::tolerance, h.tolerance, k.tolerance);
     if (h.path && k.path) held(Aspect::tolerance, *h.path, *k.path);
     if (h.path.has_value() != k.path.has_value())
@@ -221,6 +250,17 @@ void Walk::compare_holding(const Move& a, const Move& b) {
                h.path ? words(*h.path) + ", which the other does not say" : "the other says " + words(*k.path));
     const bool all_looked_at = !taps && (feeds || like(h.feed, k.feed)) && (as_long || counts);
     if (all_looked_at) last_a_ = a.holding, last_b_ = b.holding;
+}
+
+/// Turned to one plane, the rotary axes may stand in two ways, and the tool's way on the workpiece is the same.
+void Walk::compare_turns(const Move& a, const Move& b) {
+    const cl::PlaneTurn *t = turn_by_control(a.holding->frame), *u = turn_by_control(b.holding->frame);
+    if (t == nullptr || u == nullptr) return;
+    const std::string what = "the rotary axes turn to the tilted plane into " + words(*t) + "; in the other into ";
+    if (turn_otherwise(*t, *u))
+        found().add(turn_aspect, &a, &b, number(), what + words(*u));
+    else if (may_turn_otherwise(*t, *u, like))
+        found().add(unsaid_turn_aspect, &a, &b, number(), what + words(*u));
 }
 
 /// A call of the tool in the spindle changes nothing of it, but the machine stops for it.
@@ -275,6 +315,15 @@ Result Walk::finish() {
             d.aspect = Aspect::tool;
             out.lengths = std::move(d);
             continue;
+        }
+        if (d.aspect == unsaid_turn_aspect) {
+            d.aspect = Aspect::frame;
+            out.turns = std::move(d);
+            continue;
+        }
+        if (d.aspect == turn_aspect) {
+            d.aspect = Aspect::frame, d.is_done = true;
+            std::erase_if(sorted.all, [](const Difference& said) { return said.aspect == Aspect::frame; });
         }
         if (d.aspect == length_aspect) d.aspect = both ? Aspect::tool : Aspect::datum, d.is_done = is_done(d.aspect);
         // The words for it are other ones on every control, and each begins with another one.

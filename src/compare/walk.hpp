@@ -54,6 +54,7 @@ private:
     [[nodiscard]] bool pass_alike();
     [[nodiscard]] bool is_lost_in_increments(const Follower& s) const;
     [[nodiscard]] bool compare_piece();
+    void compare_turns(const Move& a, const Move& b);
     void compare_holding(const Move& a, const Move& b);
     void compare_calls(Found& to) const;
     void compare_ends(Found& to) const;

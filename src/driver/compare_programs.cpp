@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "base/codes.hpp"
 #include "base/text.hpp"
 #include "cl/text.hpp"
 #include "driver/control.hpp"
@@ -200,6 +201,18 @@ compare::Result compare_with(const cl::Recording& a, Session& b, const compare::
     const auto to_a = [&](const cl::Record& record) { comparison.take(Side::a, record); };
     return compare_steps(
         comparison, [&] { return in_a.step(to_a); }, [&] { return in_b.step(); });
+}
+
+void complain_of_turns(Session& s, const compare::Result& result) {
+    if (!result.turns) return;
+    base::Diagnostic d;
+    d.severity = base::Severity::warning;
+    d.code = base::codes::unknown_value;
+    if (result.turns->in_a) d.where = *result.turns->in_a;
+    d.stack = s.stacks.sites(result.turns->stack_a);
+    d.text = result.turns->what + ": whether they turn alike is not known";
+    d.remedy = "name a machine with its rotary axes (chain, docs/machine-file.md), or say in both which one";
+    s.diagnostics.add(std::move(d));
 }
 
 bool joins_freely(std::string_view control) {

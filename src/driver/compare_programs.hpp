@@ -18,6 +18,9 @@ namespace obrys::driver {
 /// The same of a stream that was kept and a session that is run.
 [[nodiscard]] compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance);
 
+/// That one says which position the rotary axes take for a plane, and the other leaves it to its control; to A.
+void complain_of_turns(Session& a, const compare::Result& result);
+
 /// Whether the control joins moves as far as speed needs until a program says otherwise.
 [[nodiscard]] bool joins_freely(std::string_view control);
 

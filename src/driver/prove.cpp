@@ -166,9 +166,9 @@ Proved hold_against(const Translated& translated, const write::Post& post, Reque
     out.differs = runs_otherwise(out.compared) || stops;
     const bool stays = out.compared.moves_a == 0 && out.moves == 0;
     out.without_feed = program.without_feed;
-    out.proof = unknown || stays || out.without_feed || out.compared.lengths ? Proof::not_compared
-                : out.differs                                                ? Proof::differs
-                                                                             : Proof::same;
+    out.proof = unknown || stays || out.without_feed || out.compared.lengths || out.compared.turns ? Proof::not_compared
+                : out.differs                                                                      ? Proof::differs
+                                                                                                   : Proof::same;
     return out;
 }
 
@@ -318,6 +318,7 @@ Settled translate(Session& session, const write::Post& post, const Request& want
     if (best.settled.proved.run != nullptr)
         complain_of(session, best.settled.proved.compared, *best.settled.proved.run);
     complain_of_lengths(session, best.settled.proved.compared);
+    complain_of_turns(session, best.settled.proved.compared);
     complain_of_feed(session, best.settled.proved.without_feed);
     if (best.settled.proved.run != nullptr && best.settled.proved.compared.moves_a == 0 &&
         best.settled.proved.moves == 0)
@@ -330,6 +331,7 @@ Proved prove(const Translated& translated, const write::Post& post, Request requ
     Proved out = hold_against(translated, post, std::move(request), s, tolerance, values);
     if (out.run != nullptr) complain_of(s, out.compared, *out.run);
     complain_of_lengths(s, out.compared);
+    complain_of_turns(s, out.compared);
     complain_of_feed(s, out.without_feed);
     return out;
 }

@@ -57,14 +57,21 @@ bool Writer::turns_with_plane(const cl::Step& step) const {
            !is_same_plane(plane_of(cursor_.state().frame.parts), plane_of(frames_.parts()));
 }
 
-/// The control turns the axes to the plane of the same block, nobody knows where.
+namespace {
+
+bool turned_by_control(const cl::FramePart* plane) { return plane != nullptr && plane->turn.by_control; }
+
+}  // namespace
+
+/// The control turns the axes to the plane of the same block, or that ends one to which it has turned them: where the
+/// tip then is nobody knows.
 bool Writer::is_turned_by_control(const cl::Step& step) const {
     const auto* line = std::get_if<cl::Linear>(&step);
-    const cl::FramePart* plane = plane_of(cursor_.state().frame.parts);
-    if (line == nullptr || !line->rapid || !axes_.empty() || place_ || now_ == nullptr || plane == nullptr)
-        return false;
+    const bool turned =
+        turned_by_control(plane_of(cursor_.state().frame.parts)) || turned_by_control(plane_of(frames_.parts()));
+    if (line == nullptr || !line->rapid || !axes_.empty() || place_ || now_ == nullptr || !turned) return false;
     const Source& block = topics_[static_cast<std::size_t>(Topic::frame)];
-    return plane->turn.by_control && std::isnan(line->to.x) && std::isnan(line->to.y) && std::isnan(line->to.z) &&
+    return std::isnan(line->to.x) && std::isnan(line->to.y) && std::isnan(line->to.z) &&
            block == Source{now_->from, now_->stack};
 }
 
@@ -119,6 +126,21 @@ std::optional<Command> Writer::turning_form(const FrameStep& step) const {
     return by_feed && about ? form : std::nullopt;
 }
 
+namespace {
+
+/// How the program wants the axes to turn, where the words have no place for it: they may turn otherwise.
+std::vector<std::string> unsaid_of(const cl::PlaneTurn& turn, const Template& words) {
+    std::vector<std::string> out;
+    const auto said = [&](Value v) { return says(words, index_of(v)); };
+    if (turn.side != 0 && !said(Value::side) && !said(Value::turn_side))
+        out.emplace_back("which of their two positions the rotary axes take for the tilted plane");
+    if (turn.table_turns && !said(Value::table_turns))
+        out.emplace_back("that a table turns to the tilted plane rather than the coordinates");
+    return out;
+}
+
+}  // namespace
+
 void Writer::write_frame() {
     const About about(*this, Topic::frame);
     const cl::Frame& wanted = cursor_.state().frame;
@@ -149,6 +171,8 @@ void Writer::write_frame() {
         const bool printed = print(command, what, turning && (!plane_turn_ || plane_turn_->rapid));
         if (turning && plane_turn_) plane_turn_->is_written = printed;
         turned_by_control_ = turned_by_control_ || (step.part.turn.by_control && printed);
+        if (step.part.turn.by_control && turning)
+            for (const std::string& unsaid : unsaid_of(step.part.turn, post_[command])) note(Fate::lost, unsaid);
         if (step.part.turn.by_control && !turning)
             note(Fate::lost, "that the control turns the rotary axes to the tilted plane");
         if (step.command == Command::plane)

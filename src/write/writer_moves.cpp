@@ -232,6 +232,27 @@ void Writer::note_direction(const geom::Vec3& axis) {
     note_at(std::move(lost));
 }
 
+namespace {
+
+/// It says how the tool stands in another plane, and leads nowhere.
+bool tells_axis_alone(const cl::Linear* line, const geom::Vec3& from) {
+    const auto same = [](double a, double b) {
+        return std::abs(a - b) <= place_noise || (std::isnan(a) && std::isnan(b));
+    };
+    return line != nullptr && line->rapid && line->seek == cl::Seek::nothing && same(from.x, line->to.x) &&
+           same(from.y, line->to.y) && same(from.z, line->to.z);
+}
+
+/// Coordinates, and nothing else; of those that nobody knows none.
+void set_known(Values& values, const geom::Vec3& at) {
+    values.clear();
+    if (std::isfinite(at.x)) values.set(Value::x, at.x);
+    if (std::isfinite(at.y)) values.set(Value::y, at.y);
+    if (std::isfinite(at.z)) values.set(Value::z, at.z);
+}
+
+}  // namespace
+
 void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     const auto* line = std::get_if<cl::Linear>(&step);
     const bool axes_turn = take_places_of_axes();
@@ -255,7 +276,19 @@ void Writer::write_move(const cl::Step& step, const geom::Vec3& from) {
     printer_.stand_at(nowhere_known ? geom::Vec3{NAN, NAN, NAN} : frames_.programmed(from));
     const bool straight = line != nullptr && !place_ && axes_.empty();
     const bool points_as_before = stands && line->axis == pointed_;
-    write_way(step, from, points_as_before);
+    // The words of the plane, which move nothing, have said all of it.
+    const auto& frame = cursor_.state().frame.parts;
+    const bool turned = taken_up_ && std::any_of(frame.begin(), frame.end(),
+                                                 [](const auto& p) { return p.kind == cl::FrameKind::plane; });
+    const bool is_said = with_plane && !place_ && !stand_anew && axes_.empty() && tells_axis_alone(line, from) &&
+                         frames_.parts() == frame && !turned;
+    if (is_said) {
+        pointed_ = line->axis, counts_anew_ = false;
+        set_known(values_, frames_.programmed(line->to));
+        printer_.remember(post_[Command::rapid], values_);
+    } else {
+        write_way(step, from, points_as_before);
+    }
     printer_.stand_at({NAN, NAN, NAN});
     if (coolant_waits_) write_coolant();  // the move had no block
     lose_axes();

@@ -84,11 +84,12 @@ bool deliver_picture(const Arguments& a, const Compared& c, const driver::Compar
 }
 
 /// What the exit code says; what is said otherwise (zeros, cycles) makes no difference to the machine.
-std::string verdict_line(int code, bool same, bool stops_alone) {
+std::string verdict_line(int code, bool same, bool stops_alone, bool turns_alone) {
     if (code == 3)
         return std::string("not fully compared: ") +
-               (stops_alone ? "one stops exactly at blocks (G9) where the other does not"
-                            : "something of either was not understood or not run") +
+               (stops_alone   ? "one stops exactly at blocks (G9) where the other does not"
+                : turns_alone ? "whether the rotary axes turn alike to a tilted plane is not known"
+                              : "something of either was not understood or not run") +
                (same ? "\n" : "; what was compared differs\n");
     return same ? "the machine does the same\n" : "the machine does not do the same\n";
 }
@@ -109,20 +110,22 @@ int compare(const Arguments& arguments) {
     for (Side* side : {&a, &b})
         if (c.moves.moves_a == 0 && c.moves.moves_b == 0)
             driver::say_that_nothing_moves(side->session.diagnostics, side->session.main);
-    for (const Side* side : {&a, &b}) print_diagnostics(side->session, base::Severity::warning);
     const int code_a = driver::exit_code_of_run(a.session), code_b = driver::exit_code_of_run(b.session);
+    driver::complain_of_turns(a.session, c.moves);
+    for (const Side* side : {&a, &b}) print_diagnostics(side->session, base::Severity::warning);
     if (code_a == 2 || code_b == 2) return 2;
     c.stock = driver::compare_stock({a.session, a.request}, {b.session, b.request}, c.moves, tolerance.length);
     // Of a run that an alarm has ended nothing behind it is compared.
     c.block_stops_a = driver::block_stops(a.session), c.block_stops_b = driver::block_stops(b.session);
     const bool same_stops = c.block_stops_a == c.block_stops_b;
     const bool is_run = code_a == 0 && code_b == 0 && !c.stock.is_missed;
-    c.is_full = is_run && same_stops;
+    c.is_full = is_run && same_stops && !c.moves.turns;
     const int code = !c.is_full ? 3 : does_the_same(c) ? 0 : 1;
     driver::OutputFile out(arguments.output);
     out.write(arguments.format == "json"
                   ? compared_json(c)
-                  : compared_text(c) + verdict_line(code, does_the_same(c), is_run && !same_stops));
+                  : compared_text(c) +
+                        verdict_line(code, does_the_same(c), is_run && !same_stops, is_run && c.moves.turns));
     if (!deliver(arguments.output, out)) return 2;
     return deliver_picture(arguments, c, {a.session, a.request}, {b.session, b.request}) ? code : 2;
 }

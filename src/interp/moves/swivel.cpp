@@ -2,6 +2,8 @@
 /// Source: iTNC 530 User's Manual (DIN/ISO, 2010), 12.2 "The PLANE function", positioning behaviour; table of positions
 /// for SEQ on page 404.
 
+#include <cmath>
+
 #include "base/codes.hpp"
 #include "interp/moves/moves.hpp"
 #include "interp/setup/tilted_axes.hpp"
@@ -37,9 +39,19 @@ void take_rotary_along(Telling& run, std::string_view without) {
     }
 }
 
+namespace {
+
+/// Nobody knows any more where it stands, and the stream has not said so yet.
+bool is_lost(const Telling& run) {
+    const auto nowhere = [](const Vec3& p) { return std::isnan(p.x) && std::isnan(p.y) && std::isnan(p.z); };
+    return nowhere(run.position) && !nowhere(run.sent);
+}
+
+}  // namespace
+
 void tell_rotary(Telling& run, const Vec3& axis_before) {
     take_rotary_along(run, {});
-    if (run.tool_axis == axis_before) return;
+    if (run.tool_axis == axis_before && !is_lost(run)) return;
     emit_frame(run);
     emit(run, cl::Linear{run.position, run.tool_axis, true});
 }
@@ -82,6 +94,8 @@ void swivel(Moving& run, bool keeps_tip, bool rapid, const BeforeSwivel& was, co
                   "the positions to which the rotary axes go for this plane depend on the machine's "
                   "kinematics, which are not known: they are not followed",
                   "name a machine with its rotary axes (chain, docs/machine-file.md)");
+        if (keeps_tip) stand_at(run, was.tip);
+        if (is_lost(run)) tell_rotary(run, run.tool_axis);
         return;
     }
     begin_motion(run);

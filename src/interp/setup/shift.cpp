@@ -59,6 +59,9 @@ void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, cons
     flush_path(run);
     const Rotary before = rotary(run);
     const bool was_tilted = tilted(run);
+    const auto plane_before = find_transform(run, TransformKind::plane);
+    const bool turned_by_control =
+        plane_before != run.modal.transforms.end() && plane_before->turn.by_control && !choice.by_control;
     place_transform(run, TransformKind::plane, plane);
     // Behind a tilted plane that the control has turned the axes to, a level one is such a plane, too.
     if (choice.by_control && was_tilted && !tilted(run)) run.modal.transforms.push_back({TransformKind::plane, plane});
@@ -69,6 +72,8 @@ void tilt(Telling& run, const geom::Frame& plane, const TiltChoice& choice, cons
     else
         aim(run, choice, where);
     recount(run, before);
+    // What the linear axes count with another plane depends on where the control has turned the rotary ones.
+    if (turned_by_control) stand_at(run, {unknown_number, unknown_number, unknown_number});
     const geom::Vec3 normal = geom::apply_direction(run.modal.programmed, {0, 0, 1});
     if (!tilted(run) || geom::distance((1 / geom::length(normal)) * normal, run.tool_axis) < 1e-9) return;
     unchecked(run, codes::unsupported, where,
