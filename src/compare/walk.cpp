@@ -332,7 +332,6 @@ Result Walk::finish() {
     }
     for (const Found& found : between_) sorted.add(found);
     compare_ends(sorted);
-    const Path &a = sides[0].path(), &b = sides[1].path();
     compare_calls(sorted);
     out.first = std::move(sorted.all);
     return out;
