@@ -1,5 +1,7 @@
 #include "compare/items.hpp"
 
+#include "compare/role.hpp"
+
 namespace obrys::compare {
 
 namespace {

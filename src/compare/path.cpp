@@ -56,12 +56,6 @@ bool turned_by_control(const cl::Frame& frame) {
 
 }  // namespace
 
-bool has_state(const cl::Step& event) {
-    const auto* output = std::get_if<cl::Output>(&event);  // one with the next move is looked at there
-    return std::holds_alternative<cl::Dwell>(event) || std::holds_alternative<cl::Stop>(event) ||
-           std::holds_alternative<cl::Auxiliary>(event) || (output != nullptr && !output->with_motion);
-}
-
 bool can_be_joined(const Holding& h, bool rapid) {
     const bool stops = h.path && h.path->kind == cl::PathKind::exact_stop;
     return !stops && (rapid || h.feed.mode != cl::FeedMode::inverse_time);
@@ -292,8 +286,8 @@ void Path::take(const cl::Record& record) {
     // Another zero: the tool stands still, and its place has other numbers.
     if (std::holds_alternative<cl::Datum>(step) && !(cursor_.state().datum == datum)) at_.reset();
     // What a block of a stop or function does besides holds there, whatever stands first in it.
-    const bool of_block = !events.none_left() && has_state(events.back().step) && events.back().from == record.from &&
-                          events.back().moves == moves.size();
+    const bool of_block = !events.none_left() && holds_to_the_end_of_its_block(events.back().step) &&
+                          events.back().from == record.from && events.back().moves == moves.size();
     if (of_block && (std::holds_alternative<cl::Spindle>(step) || std::holds_alternative<cl::Coolant>(step))) {
         hold();
         events.back().holding = holding_;

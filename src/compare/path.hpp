@@ -34,9 +34,6 @@ struct Holding {
 /// Two moves with this are the same as one that leads as far: none takes a time of its own, none ends standing still.
 [[nodiscard]] bool can_be_joined(const Holding& holding, bool rapid);
 
-/// What turns and flows while it happens counts.
-[[nodiscard]] bool has_state(const cl::Step& event);
-
 struct Item {
     cl::Step step;
     base::Span from;

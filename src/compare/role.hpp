@@ -34,4 +34,16 @@ struct RoleOf {
     Role operator()(const cl::Comment&) const { return Role::remark; }  // text without effect
 };
 
+/// What turns and flows while the event happens counts.
+[[nodiscard]] inline bool has_state(const cl::Step& event) {
+    const auto* output = std::get_if<cl::Output>(&event);  // one with the next move is looked at there
+    return std::holds_alternative<cl::Dwell>(event) || std::holds_alternative<cl::Stop>(event) ||
+           std::holds_alternative<cl::Auxiliary>(event) || (output != nullptr && !output->with_motion);
+}
+
+/// What its block says behind it holds there, too; but a dwell of a cycle stands between its steps, all of one block.
+[[nodiscard]] inline bool holds_to_the_end_of_its_block(const cl::Step& event) {
+    return has_state(event) && !std::holds_alternative<cl::Dwell>(event);
+}
+
 }  // namespace obrys::compare

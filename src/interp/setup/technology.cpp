@@ -37,7 +37,7 @@ void staying_tooth_feed(Moving& run) {
     if (teeth == 0)
         unchecked(run, codes::unknown_value, run.here(),
                   "the feed per tooth FZ needs the number of teeth of the tool, which is not known: so the feed is not",
-                  "give teeth of the tool in the job, which stands for $TC_DPNT");
+                  "give teeth of the tool in the job");
     b.put(Code::feed, teeth == 0 ? std::nan("") : *m.tooth_feed * teeth);
     b.put(Code::feed_per_tooth, *m.tooth_feed);  // why the feed is not known has been said
     b.use(Code::feed_per_tooth);
