@@ -25,8 +25,8 @@ void staying_tooth_feed(Moving& run) {
     const bool said = b.has(Code::feed_per_tooth);
     if (said && m.feed_mode != cl::FeedMode::per_rev) {
         assume(run, run.here(),
-               "FZ without G95 has no effect: " + printed(Value::real(b.get(Code::feed_per_tooth))) +
-                   " is not taken for a feed");
+               "FZ has no effect unless the feed is per revolution: " +
+                   printed(Value::real(b.get(Code::feed_per_tooth))) + " is not taken for a feed");
         return;
     }
     if (b.has(Code::feed) && !said) m.tooth_feed.reset();
