@@ -67,8 +67,14 @@ TEST(CompareState, ACallOfTheToolInTheSpindleCountsOnOneControl) {
     const cl::ToolChange tool{1, 1, ""};
     const Steps once{tool, line(10), line(20)}, twice{tool, line(10), tool, line(20)};
     constexpr Tolerance same{.same_control = true};
-    EXPECT_NE(compared(once, twice, same).of(Aspect::events), nullptr);
-    EXPECT_NE(compared(twice, once, same).of(Aspect::events), nullptr);
+    for (const Result& r : {compared(once, twice, same), compared(twice, once, same)}) {
+        ASSERT_NE(r.of(Aspect::events), nullptr);
+        EXPECT_FALSE(r.of(Aspect::events)->is_done);
+    }
+    constexpr Tolerance written{.is_written_from_a = true};
+    ASSERT_NE(compared(once, twice, written).of(Aspect::events), nullptr);
+    EXPECT_TRUE(compared(once, twice, written).of(Aspect::events)->is_done);
+    EXPECT_EQ(compared(twice, once, written).of(Aspect::events), nullptr);
     EXPECT_EQ(compared(twice, twice, same).of(Aspect::events), nullptr);
     EXPECT_EQ(compared(once, twice, {}).of(Aspect::events), nullptr);
 }

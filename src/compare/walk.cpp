@@ -263,18 +263,20 @@ void Walk::compare_turns(const Move& a, const Move& b) {
         found().add(unsaid_turn_aspect, &a, &b, number(), what + words(*u));
 }
 
-/// A call of the tool in the spindle changes nothing of it, but the machine stops for it.
+/// A call of the tool in the spindle changes nothing of it, but the machine may stop for it. What is written leaves out
+/// one that has stopped nothing else than the spindle, and adds none.
 void Walk::compare_calls(Found& to) const {
     const Path &a = sides[0].path(), &b = sides[1].path();
-    const bool counts = b.calls_again > a.calls_again ? like.is_written_from_a() || like.same_control()
-                                                      : a.calls_again > b.calls_again && like.same_control();
-    if (!counts || to.has(Aspect::events)) return;
-    const bool more_in_a = a.calls_again > b.calls_again;
+    const bool more_in_b = b.calls_again > a.calls_again, more_in_a = a.calls_again > b.calls_again;
+    const bool is_done = more_in_b && like.is_written_from_a();
+    const bool is_said = (more_in_a || more_in_b) && like.same_control() && !like.is_written_from_a();
+    if ((!is_done && !is_said) || to.has(Aspect::events)) return;
     const Item& call = more_in_a ? *a.called_again : *b.called_again;
     const auto* none = static_cast<const Item*>(nullptr);
     to.add(Aspect::events, more_in_a ? &call : none, more_in_a ? none : &call, call.moves,
            words(call.step) +
                (more_in_a ? " is called again, in the other it is not as often" : " is called again in the other"));
+    to.all.back().is_done = is_done;
 }
 
 /// What still turns or flows where both programs are over without saying so: an end that is said stops it.
