@@ -127,7 +127,8 @@ def written_anew(call, case, options):
         stops = [code for code in re.findall(r": (?:error|warning): .*\[([a-z-]+)\]", of_source) if code not in own]
         # What nobody knows (a coordinate no block has given, a feed of a parameter that is not set) has no words.
         unknown = lost and all(" not known" in line for line in lost)
-        kind = "not known" if unknown else "lost, said" if lost else "stops" if stops else "DIFFERS"
+        otherwise = "DIFFERS" if d["is_done"] else "done the same"
+        kind = "not known" if unknown else "lost, said" if lost else "stops" if stops else otherwise
         return kind, d["aspect"], d["what"] + (" | " + lost[0] if lost else ""), control
     d = result["differences"][0]
     return "done the same", d["aspect"] + (" expanded" if notes else ""), d["what"], control
