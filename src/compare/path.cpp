@@ -49,12 +49,15 @@ std::int64_t length_of(const motion::State& s) {
     return (std::int64_t{s.length.offset} + 1) * (s.length.sense > 0 ? 1 : -3);
 }
 
-bool turned_by_control(const cl::Frame& frame) {
-    return std::any_of(frame.parts.begin(), frame.parts.end(),
-                       [](const cl::FramePart& p) { return p.turn.by_control; });
-}
+bool turned_by_control(const cl::Frame& frame) { return turn_by_control(frame) != nullptr; }
 
 }  // namespace
+
+const cl::PlaneTurn* turn_by_control(const cl::Frame& frame) {
+    const auto at = std::find_if(frame.parts.rbegin(), frame.parts.rend(),
+                                 [](const cl::FramePart& p) { return p.turn.by_control; });
+    return at == frame.parts.rend() ? nullptr : &at->turn;
+}
 
 bool can_be_joined(const Holding& h, bool rapid) {
     const bool stops = h.path && h.path->kind == cl::PathKind::exact_stop;

@@ -34,6 +34,9 @@ struct Holding {
 /// Two moves with this are the same as one that leads as far: none takes a time of its own, none ends standing still.
 [[nodiscard]] bool can_be_joined(const Holding& holding, bool rapid);
 
+/// How the axes turn to the tilted plane in force, where the control does that by itself and no move tells it.
+[[nodiscard]] const cl::PlaneTurn* turn_by_control(const cl::Frame& frame);
+
 struct Item {
     cl::Step step;
     base::Span from;

@@ -57,13 +57,6 @@ bool is_elsewhere(const cl::Datum& a, const cl::Datum& b, const Likeness& like) 
     return differ(p.x, q.x) || differ(p.y, q.y) || differ(p.z, q.z) || (by_number && unknown && a.number != b.number);
 }
 
-/// How the axes turn to the tilted plane in force, where the control does that by itself and no move tells it.
-const cl::PlaneTurn* turn_by_control(const cl::Frame& frame) {
-    const auto at = std::find_if(frame.parts.rbegin(), frame.parts.rend(),
-                                 [](const cl::FramePart& p) { return p.turn.by_control; });
-    return at == frame.parts.rend() ? nullptr : &at->turn;
-}
-
 /// Both choose, and not the same.
 bool turn_otherwise(const cl::PlaneTurn& a, const cl::PlaneTurn& b) {
     return a.side != 0 && b.side != 0 && a.side != b.side;

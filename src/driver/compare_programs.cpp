@@ -203,16 +203,21 @@ compare::Result compare_with(const cl::Recording& a, Session& b, const compare::
         comparison, [&] { return in_a.step(to_a); }, [&] { return in_b.step(); });
 }
 
+void warn_of(Session& s, const compare::Difference& d, std::string text, std::string remedy) {
+    base::Diagnostic out;
+    out.severity = base::Severity::warning;
+    out.code = base::codes::unknown_value;
+    if (d.in_a) out.where = *d.in_a;
+    out.stack = s.stacks.sites(d.stack_a);
+    out.text = std::move(text);
+    out.remedy = std::move(remedy);
+    s.diagnostics.add(std::move(out));
+}
+
 void complain_of_turns(Session& s, const compare::Result& result) {
-    if (!result.turns) return;
-    base::Diagnostic d;
-    d.severity = base::Severity::warning;
-    d.code = base::codes::unknown_value;
-    if (result.turns->in_a) d.where = *result.turns->in_a;
-    d.stack = s.stacks.sites(result.turns->stack_a);
-    d.text = result.turns->what + ": whether they turn alike is not known";
-    d.remedy = "name a machine with its rotary axes (chain, docs/machine-file.md), or say in both which one";
-    s.diagnostics.add(std::move(d));
+    if (result.turns)
+        warn_of(s, *result.turns, result.turns->what + ": whether they turn alike is not known",
+                "name a machine with its rotary axes (chain, docs/machine-file.md), or say in both which one");
 }
 
 bool joins_freely(std::string_view control) {

@@ -18,6 +18,8 @@ namespace obrys::driver {
 /// The same of a stream that was kept and a session that is run.
 [[nodiscard]] compare::Result compare_with(const cl::Recording& a, Session& b, const compare::Tolerance& tolerance);
 
+/// Of a place of A at which nobody knows whether both do the same.
+void warn_of(Session& a, const compare::Difference& where, std::string text, std::string remedy);
 /// That one says which position the rotary axes take for a plane, and the other leaves it to its control; to A.
 void complain_of_turns(Session& a, const compare::Result& result);
 

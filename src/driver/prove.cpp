@@ -42,17 +42,12 @@ void complain_of(Session& s, const compare::Result& result, const Session& run) 
 
 /// Of several tools, which are not of one length.
 void complain_of_lengths(Session& s, const compare::Result& result) {
-    if (!result.lengths) return;
-    base::Diagnostic d;
-    d.severity = base::Severity::warning;
-    d.code = codes::unknown_value;
-    if (result.lengths->in_a) d.where = *result.lengths->in_a;
-    d.stack = s.stacks.sites(result.lengths->stack_a);
-    d.text =
-        "the program compensates the length of none of its tools, and what is written does that of each: whether "
-        "the zeros are right for that is not known";
-    d.remedy = "have the program compensate lengths, or set the zeros anew for tools that are measured";
-    s.diagnostics.add(std::move(d));
+    if (result.lengths)
+        warn_of(
+            s, *result.lengths,
+            "the program compensates the length of none of its tools, and what is written does that of each: whether "
+            "the zeros are right for that is not known",
+            "have the program compensate lengths, or set the zeros anew for tools that are measured");
 }
 
 /// At what feed such a move goes nobody knows, so that no other is the same.

@@ -16,11 +16,6 @@ constexpr std::size_t together = 1024;  ///< triangles
 constexpr double short_share = 0.25;    ///< of a side
 constexpr double rounding = 1e-6;       ///< mm
 
-bool boxes_meet(const Box& a, const Box& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
-           b.lo.z <= a.hi.z;
-}
-
 struct Face {
     std::array<Vec3, 3> corners;
     Vec3 normal;
@@ -73,7 +68,7 @@ std::optional<Vec3> crossing_of(const Distance& surface, std::uint32_t triangle,
     Box around;
     for (const Vec3& c : own.corners) around.add(c);
     std::optional<Vec3> found;
-    surface.visit([&](const Box& box) { return boxes_meet(box, around); },
+    surface.visit([&](const Box& box) { return overlap(box, around); },
                   [&](std::uint32_t n) {
                       if (n > triangle) found = middle_of_crossing(own, face_of(surface, n, beyond));
                       return !found;

@@ -39,6 +39,12 @@ private:
     static constexpr double inf = std::numeric_limits<double>::infinity();
 };
 
+/// They have a place in common, if only on their faces; an empty one has none.
+[[nodiscard]] constexpr bool overlap(const Box& a, const Box& b) {
+    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
+           b.lo.z <= a.hi.z;
+}
+
 [[nodiscard]] std::array<geom::Vec3, 3> corners(const Mesh& m, std::size_t triangle);
 [[nodiscard]] geom::Vec3 centre(const Mesh& m, std::size_t triangle);
 /// Twice the area times the unit normal to the outside; zero for a triangle without area.

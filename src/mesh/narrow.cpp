@@ -29,7 +29,7 @@ public:
         for (const Vec3& c : whole.corners) around.add(c);
         const Vec3 more{reach_, reach_, reach_};
         around.lo = around.lo - more, around.hi = around.hi + more;
-        part_.visit([&](const Box& b) { return meet(b, around); },
+        part_.visit([&](const Box& b) { return overlap(b, around); },
                     [&](std::uint32_t other) {
                         if (faces(whole, other)) facing.push_back(other);
                         return !small || facing.empty();
@@ -38,10 +38,6 @@ public:
     }
 
 private:
-    static bool meet(const Box& a, const Box& b) {
-        return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
-               b.lo.z <= a.hi.z;
-    }
     /// The corner that the longest side begins at, and that side's length.
     static std::pair<std::size_t, double> longest(const NarrowFace& f) {
         std::pair<std::size_t, double> most{0, -1};

@@ -14,11 +14,6 @@ namespace obrys::mesh {
 
 namespace {
 
-bool meet(const Box& a, const Box& b) {
-    return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z &&
-           b.lo.z <= a.hi.z;
-}
-
 /// Two bodies whose boxes meet; in order of their lower x, so that far ones are not compared.
 std::optional<std::pair<std::size_t, std::size_t>> meeting(const std::vector<Mesh>& bodies) {
     std::vector<Box> boxes;
@@ -28,7 +23,7 @@ std::optional<std::pair<std::size_t, std::size_t>> meeting(const std::vector<Mes
     std::sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return boxes[a].lo.x < boxes[b].lo.x; });
     for (std::size_t i = 0; i < order.size(); ++i)
         for (std::size_t k = i + 1; k < order.size() && boxes[order[k]].lo.x <= boxes[order[i]].hi.x; ++k)
-            if (meet(boxes[order[i]], boxes[order[k]])) return std::minmax(order[i], order[k]);
+            if (overlap(boxes[order[i]], boxes[order[k]])) return std::minmax(order[i], order[k]);
     return std::nullopt;
 }
 

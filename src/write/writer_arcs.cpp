@@ -39,7 +39,12 @@ double counted(double value, const NumberStyle& style, double increment) {
     return std::round(as_written(value, style) * style.factor / increment);
 }
 
-/// `free`: neither compensation nor axes that move along keep its chords from standing there instead.
+/// Neither compensation nor axes that move along keep its chords from standing there instead.
+bool is_free(const cl::Arc& arc, const motion::State& state) {
+    return !state.compensation && !arc.rapid && arc.ends.empty();
+}
+
+/// `free`: lines may stand there instead.
 Note lost_curve(std::string what, bool free) {
     Note lost{Fate::lost, std::move(what), {}, 0, 0};
     lost.may_be_lines = free;
@@ -146,8 +151,7 @@ void Writer::write_arc_in_space(const cl::Arc& arc, const geom::Vec3& from, cons
     const bool sayable = flat && std::abs(arc.sweep) < most * geom::full_turn && compensation_ == std::nullopt &&
                          !cursor_.state().compensation && geom::is_finite(arc.centre) && geom::is_finite(u);
     if (!post_.has(Command::arc_in_space) || !sayable)
-        return note_at(lost_curve("an arc in a plane that is none of the frame's",
-                                  !cursor_.state().compensation && !arc.rapid && arc.ends.empty()));
+        return note_at(lost_curve("an arc in a plane that is none of the frame's", is_free(arc, cursor_.state())));
     const geom::Vec3 to = frames_.programmed(arc.to);
     const geom::Vec3 via = frames_.programmed(arc.centre + std::cos(arc.sweep / 2) * u + std::sin(arc.sweep / 2) * v);
     values_.clear();
@@ -169,7 +173,7 @@ void Writer::write_turn(const cl::Arc& arc, const geom::Vec3& from, const cl::Pr
     if (outside_xy && !by_centre && !post_.has(std::abs(normal.y) > 0.5 ? Command::plane_zx : Command::plane_yz))
         return note_at(lost_curve(std::string(rises ? "a helix" : "an arc") +
                                       " outside of the plane of X and Y: the post has no words for its plane",
-                                  !cursor_.state().compensation && !arc.rapid && arc.ends.empty()));
+                                  is_free(arc, cursor_.state())));
     if (is_lost_in_increments(arc, start, to, centre)) return print_straight(to, arc.rapid, corner, cl::Seek::nothing);
     select_plane(normal);
     const double along = normal.x + normal.y + normal.z;  // but for rounding one of them

@@ -19,11 +19,6 @@ constexpr double excuse = 1e-9;              ///< mm: less is none
 constexpr double smallest_piece = 0.125;     ///< of a triangle, of what is allowed
 constexpr std::size_t most_pieces = 1024;    ///< of a triangle
 
-bool overlap(const mesh::Box& a, const mesh::Box& b) {
-    return a.lo.x <= b.hi.x && a.hi.x >= b.lo.x && a.lo.y <= b.hi.y && a.hi.y >= b.lo.y && a.lo.z <= b.hi.z &&
-           a.hi.z >= b.lo.z;
-}
-
 bool holds(const mesh::Box& a, const mesh::Box& b) {
     return a.lo.x <= b.lo.x && a.hi.x >= b.hi.x && a.lo.y <= b.lo.y && a.hi.y >= b.hi.y && a.lo.z <= b.lo.z &&
            a.hi.z >= b.hi.z;
