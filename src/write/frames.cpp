@@ -73,9 +73,10 @@ bool is_identity(const std::array<double, 9>& m) {
 
 /// Turns about the fixed axes x, then y, then z: m = Z * Y * X.
 void set_turns(const std::array<double, 9>& m, Values& values) {
-    const double y = std::asin(std::clamp(-m[6], -1.0, 1.0));
+    const double across = std::hypot(m[7], m[8]);
+    const double y = std::atan2(-m[6], across);
     double x = 0, z = 0;
-    if (std::abs(m[6]) < 1 - frame_noise) {
+    if (across > frame_noise) {
         x = std::atan2(m[7], m[8]);
         z = std::atan2(m[3], m[0]);
     } else {

@@ -42,6 +42,16 @@ TEST(FrameValues, AnglesOfAPlaneSayItsTurn) {
         expect_same(by_euler(v), plane);
         expect_same(by_fixed_axes(v), plane);
     }
+    // Beside a quarter turn, where the cosine is small and the sine says nothing of it.
+    for (const double beside : {1e-3, 1e-4, 3e-5, 1e-5, 1e-6, 1e-8, 1e-10, 0.0})
+        for (const double quarter_turn : {-geom::pi / 2, geom::pi / 2}) {
+            const Frame plane = Frame::rotation(2, 0.7) * Frame::rotation(1, quarter_turn + beside) *
+                                Frame::rotation(0, -1.1) * Frame{};
+            Values v;
+            ASSERT_TRUE(frame_values({cl::FrameKind::plane, plane}, v));
+            expect_same(by_euler(v), plane);
+            expect_same(by_fixed_axes(v), plane);
+        }
     Values v;
     ASSERT_TRUE(frame_values({cl::FrameKind::plane, Frame{}}, v));
     EXPECT_TRUE(v.has(index_of(Value::euler_1)) && v.has(index_of(Value::angle_x))) << "a level plane is said, too";
